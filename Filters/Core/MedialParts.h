@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_MedialParts_h
+#define medial_MedialParts_h
+
+#include "Execution.h"
+#include "MedialAxis.h"
+#include "Types.h"
+
+#include <vector>
+
+namespace medial
+{
+/// A connected group of triangles, grown over edges with exactly two triangles; or one dangling
+/// chain of edges; or a single vertex (paper 4.1).
+struct MedialPart
+{
+  int dimension;    ///< 2: triangles, 1: edges, 0: a vertex
+  int level;        ///< 1 at the border of the axis, +1 inwards; 0: closed sheet, never reached
+  Index triangles;  ///< how many
+  double area;      ///< of its triangles, square of the samples' unit
+  double volume;    ///< of the Delaunay cells whose ball is this part's, cube of the unit
+  double relativeVolume; ///< volume / sum over all parts
+  double meanRadius, minimumRadius, maximumRadius; ///< over its points
+  Index contacts;   ///< number of contact curves it has a share in
+  Point lower, upper; ///< corners of its bounding box
+};
+
+/// An unbroken polyline shared by touching parts (paper 4.3).
+struct ContactCurve
+{
+  std::vector<Index> points; ///< medial points in order; first == last where it is closed
+  std::vector<Index> parts;  ///< the parts that touch along it, ascending
+};
+
+struct MedialParts
+{
+  std::vector<Index> partOfCell; ///< numbering of AxisCells
+  std::vector<MedialPart> parts; ///< by lowest triangle; then edges; then vertices
+  std::vector<ContactCurve> contacts;
+};
+
+/// The parts of an axis and their levels.
+///
+/// Every ball is counted in one part, so the relative volumes sum to 1.
+/// @param maximumLevel  parts above it get level 0; 0 or less: no limit
+MedialParts decompose(
+  const MedialAxis& axis, int maximumLevel = 0, const Execution& execution = {});
+
+/// For each polar ball the part that it counts for: of the parts with most of the cells at its
+/// medial point the first; a ball off the axis follows its owner. None where its owner is gone.
+std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell);
+}
+
+#endif
