@@ -31,6 +31,8 @@ struct PolarBalls
   std::vector<double> volumes;    ///< of the Delaunay cells it stands for; 0 where not inner
   IndexLists ballSamples;         ///< all samples on its sphere, ascending
 
+  double spacing; ///< mean distance of a distinct sample to the nearest other one
+
   /// Cells of the regular triangulation of the balls (weights: squared radii), positively oriented.
   std::vector<Tetrahedron> cells;
 };
@@ -42,10 +44,6 @@ struct PolarBalls
 ///                      that is not finite
 /// @throw Aborted
 PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execution = {});
-
-/// Mean distance of a sample to its nearest other sample, from the shortest edges among the samples
-/// that share a ball. In the unit of the samples.
-double sampleSpacing(const PolarBalls& polarBalls);
 }
 
 #endif

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Predicates.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+
+#include <cmath>
+#include <limits>
+
+namespace medial
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Exact = CGAL::Exact_rational;
+
+Kernel::Point_3 kernelPoint(const Point& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
+
+/// Rows a[i] . x = b[i] for the point x, relative to the first centre, of equal power to four balls.
+template <typename Number>
+struct PowerSystem
+{
+  Number a[3][3];
+  Number b[3];
+
+  explicit PowerSystem(const std::array<Ball, 4>& balls)
+  {
+    const Number r0 = Number(balls[0].radius);
+    for (int i = 0; i < 3; ++i)
+    {
+      const Number r = Number(balls[i + 1].radius);
+      this->b[i] = r0 * r0 - r * r;
+      for (int k = 0; k < 3; ++k)
+      {
+        this->a[i][k] = Number(balls[i + 1].center[k]) - Number(balls[0].center[k]);
+        this->b[i] += this->a[i][k] * this->a[i][k];
+      }
+      this->b[i] /= Number(2);
+    }
+  }
+
+  /// Determinant of the rows with column k replaced by b (k = 3: none), and of the absolute values
+  /// of all products in it, which bounds its rounding.
+  std::array<Number, 2> determinant(int k, bool bound) const
+  {
+    const auto at = [this, k](int i, int j) { return j == k ? this->b[i] : this->a[i][j]; };
+    Number sum(0), size(0);
+    for (int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3, l = (i + 2) % 3;
+      const Number plus = at(0, i) * at(1, j) * at(2, l);
+      const Number minus = at(0, i) * at(1, l) * at(2, j);
+      sum += plus - minus;
+      if (bound)
+      {
+        size += (plus < 0 ? -plus : plus) + (minus < 0 ? -minus : minus);
+      }
+    }
+    return { sum, size };
+  }
+};
+
+Point exactPowerCenter(const std::array<Ball, 4>& balls)
+{
+  const PowerSystem<Exact> system(balls);
+  const Exact det = system.determinant(3, false)[0];
+  Point result;
+  for (int k = 0; k < 3; ++k)
+  {
+    result[k] = CGAL::to_double(
+      Exact(system.determinant(k, false)[0] / det + Exact(balls[0].center[k])));
+  }
+  return result;
+}
+
+/// Largest size of what is subtracted to get the right-hand sides, relative to the results.
+double rightHandSize(const std::array<Ball, 4>& balls)
+{
+  double size = 0;
+  for (int i = 1; i < 4; ++i)
+  {
+    size = std::max(size,
+      (balls[i].center - balls[0].center).squaredNorm() + balls[0].radius * balls[0].radius +
+        balls[i].radius * balls[i].radius);
+  }
+  return size;
+}
+
+/// Largest 2x2 minor of the rows: how much an error of a right-hand side moves a numerator.
+double largestMinor(const PowerSystem<double>& s)
+{
+  double size = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int j = (i + 1) % 3;
+    const Point u(s.a[i][0], s.a[i][1], s.a[i][2]), v(s.a[j][0], s.a[j][1], s.a[j][2]);
+    size = std::max(size, u.norm() * v.norm());
+  }
+  return size;
+}
+}
+
+int orientation(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  static const Kernel::Orientation_3 orient = Kernel().orientation_3_object();
+  return static_cast<int>(orient(kernelPoint(a), kernelPoint(b), kernelPoint(c), kernelPoint(d)));
+}
+
+Point powerCenter(const std::array<Ball, 4>& balls, double tolerance)
+{
+  const double rounding = 16 * std::numeric_limits<double>::epsilon();
+  const PowerSystem<double> system(balls);
+  const auto [det, detSize] = system.determinant(3, true);
+  const double minors = 3 * largestMinor(system) * rightHandSize(balls);
+  Point result;
+  double error = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto [numerator, size] = system.determinant(k, true);
+    const double x = numerator / det;
+    result[k] = x + balls[0].center[k];
+    error = std::max(error, rounding * (size + minors + std::abs(x) * detSize) / std::abs(det));
+  }
+  return error <= tolerance ? result : exactPowerCenter(balls); // NaN is not <=
+}
+
+Ball circumsphere(const std::array<Point, 4>& points, double tolerance)
+{
+  const Point center = powerCenter(
+    { Ball{ points[0], 0 }, Ball{ points[1], 0 }, Ball{ points[2], 0 }, Ball{ points[3], 0 } },
+    tolerance);
+  return { center, (center - points[0]).norm() };
+}
+}
