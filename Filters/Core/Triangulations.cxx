@@ -32,9 +32,9 @@ using Regular = CGAL::Regular_triangulation_3<Kernel,
   CGAL::Triangulation_data_structure_3<RegularVertex, RegularCell>>;
 
 /// The points' numbers in an order in which neighbours follow each other.
-std::vector<Index> spatialOrder(const std::vector<Kernel::Point_3>& points)
+std::vector<std::size_t> spatialOrder(const std::vector<Kernel::Point_3>& points)
 {
-  std::vector<Index> order(points.size());
+  std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), 0);
   using Map = CGAL::Pointer_property_map<Kernel::Point_3>::const_type;
   CGAL::spatial_sort(order.begin(), order.end(),
@@ -44,7 +44,7 @@ std::vector<Index> spatialOrder(const std::vector<Kernel::Point_3>& points)
 
 /// Inserts element order[i] for all i, each near the one before; vertices get their number.
 template <typename Triangulation, typename Element>
-void insertInOrder(Triangulation& triangulation, const std::vector<Index>& order,
+void insertInOrder(Triangulation& triangulation, const std::vector<std::size_t>& order,
   const Element& element, Index firstNumber, const Execution& execution)
 {
   typename Triangulation::Cell_handle hint;
@@ -57,7 +57,7 @@ void insertInOrder(Triangulation& triangulation, const std::vector<Index>& order
     const auto vertex = triangulation.insert(element(order[i]), hint);
     if (vertex != typename Triangulation::Vertex_handle())
     {
-      vertex->info() = firstNumber + order[i];
+      vertex->info() = firstNumber + static_cast<Index>(order[i]);
       hint = vertex->cell();
     }
   }
@@ -113,7 +113,7 @@ Tetrahedra delaunay(const std::vector<Point>& points, const Execution& execution
   }
   Delaunay triangulation;
   insertInOrder(
-    triangulation, spatialOrder(kernelPoints), [&](Index i) { return kernelPoints[i]; }, 0,
+    triangulation, spatialOrder(kernelPoints), [&](std::size_t i) { return kernelPoints[i]; }, 0,
     execution);
   return arrays(triangulation);
 }
@@ -140,7 +140,7 @@ void RegularTriangulation::insert(const std::vector<Ball>& balls, const Executio
   {
     centers.push_back(kernelPoint(ball.center));
   }
-  const auto weighted = [&](Index i) {
+  const auto weighted = [&](std::size_t i) {
     return Regular::Weighted_point(centers[i], balls[i].radius * balls[i].radius);
   };
   insertInOrder(this->implementation->triangulation, spatialOrder(centers), weighted,
