@@ -1,0 +1,551 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes.h"
+
+#include "Validators.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <random>
+#include <utility>
+
+namespace shapes
+{
+namespace
+{
+using Random = std::mt19937;
+using Distance = std::function<double(const Point&)>;
+using Projection = std::function<Point(const Point&)>;
+using Draw = std::function<Point(Random&)>;
+
+constexpr double pi = 3.14159265358979323846;
+
+// std::uniform_real_distribution differs between standard libraries; the samples shall not.
+double uniform(Random& random, double from, double to)
+{
+  return from + (to - from) * (static_cast<double>(random()) / 4294967296.0);
+}
+
+Point uniformInBox(Random& random, const Point& corner)
+{
+  Point result;
+  for (int k = 0; k < 3; ++k)
+  {
+    result[k] = uniform(random, -corner[k], corner[k]);
+  }
+  return result;
+}
+
+Point direction(Random& random)
+{
+  while (true)
+  {
+    const Point p = uniformInBox(random, Point(1, 1, 1));
+    if (p.norm() <= 1 && p.norm() > 0.1)
+    {
+      return p.normalized();
+    }
+  }
+}
+
+/// Accepted points in cubes as wide as the spacing.
+class Darts
+{
+public:
+  explicit Darts(double theSpacing)
+    : spacing(theSpacing)
+  {
+  }
+
+  bool isFree(const Point& point) const
+  {
+    const Cube centre = this->cube(point);
+    for (int i = 0; i < 27; ++i)
+    {
+      const auto found = this->cubes.find(
+        { centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1, centre[2] + i / 9 - 1 });
+      if (found == this->cubes.end())
+      {
+        continue;
+      }
+      for (const std::size_t other : found->second)
+      {
+        if ((this->points[other] - point).norm() < this->spacing)
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  void add(const Point& point)
+  {
+    this->cubes[this->cube(point)].push_back(this->points.size());
+    this->points.push_back(point);
+  }
+
+  std::vector<Point> points;
+
+private:
+  using Cube = std::array<int, 3>;
+
+  Cube cube(const Point& point) const
+  {
+    Cube result;
+    for (int k = 0; k < 3; ++k)
+    {
+      result[k] = static_cast<int>(std::floor(point[k] / this->spacing));
+    }
+    return result;
+  }
+
+  double spacing;
+  std::map<Cube, std::vector<std::size_t>> cubes;
+};
+
+/// Poisson-disk samples: dart throwing until many throws in a row found no room.
+std::vector<Point> poissonDisk(
+  const Draw& draw, double spacing, unsigned seed, const std::vector<Point>& fixed = {})
+{
+  Random random(seed);
+  Darts darts(spacing);
+  for (const Point& point : fixed)
+  {
+    darts.add(point);
+  }
+  std::size_t misses = 0;
+  while (misses < 1000 + 6 * darts.points.size())
+  {
+    const Point point = draw(random);
+    ++misses;
+    if (darts.isFree(point))
+    {
+      darts.add(point);
+      misses = 0;
+    }
+  }
+  return darts.points;
+}
+
+/// All points within a radius of an axis. The axis is that solid's medial axis.
+struct Offset
+{
+  Projection axis; ///< its point nearest to a place
+  double radius;
+  Point corner; ///< of a box about the origin that holds the axis
+};
+
+Draw surfaceOf(const Offset& solid)
+{
+  return [solid](Random& random) {
+    const Point corner = solid.corner + Point::Constant(2 * solid.radius);
+    while (true)
+    {
+      const Point place = uniformInBox(random, corner);
+      const Point foot = solid.axis(place);
+      const double distance = (place - foot).norm();
+      if (distance > 0.2 * solid.radius && distance < 2 * solid.radius)
+      {
+        return Point(foot + (solid.radius / distance) * (place - foot));
+      }
+    }
+  };
+}
+
+/// A point on the tube about a curve with parameter 0 ... 2 pi.
+Draw tubeAbout(const std::function<Point(double)>& curve, double radius)
+{
+  return [curve, radius](Random& random) {
+    const double t = uniform(random, 0, 2 * pi);
+    const Point tangent = (curve(t + 1e-5) - curve(t - 1e-5)).normalized();
+    const Point any = direction(random);
+    return Point(curve(t) + radius * (any - any.dot(tangent) * tangent).normalized());
+  };
+}
+
+Shape offsetShape(const std::string& name, const Offset& solid, double spacing, unsigned seed,
+  const Betti& betti, const Draw& draw = {})
+{
+  Shape shape;
+  shape.name = name;
+  shape.samples = poissonDisk(draw ? draw : surfaceOf(solid), spacing, seed);
+  shape.seed = seed;
+  shape.spacing = spacing;
+  shape.betti = betti;
+  shape.volume = 0;
+  shape.smooth = true;
+  shape.axisDistance = [axis = solid.axis](const Point& p) { return (p - axis(p)).norm(); };
+  shape.outside = [distance = shape.axisDistance, radius = solid.radius](
+                    const Point& p) { return distance(p) - radius; };
+  return shape;
+}
+
+Projection circle(double radius, const Point& centre = Point::Zero())
+{
+  return [=](const Point& p) {
+    const double x = p.x() - centre.x(), y = p.y() - centre.y();
+    const double length = std::hypot(x, y);
+    return length > 0 ? Point(centre + Point(x, y, 0) * (radius / length))
+                      : Point(centre + Point(radius, 0, 0));
+  };
+}
+
+/// The nearest point of a closed curve with parameter 0 ... 2 pi: nearest of many, then bisection.
+Projection closedCurve(const std::function<Point(double)>& curve)
+{
+  constexpr int steps = 400;
+  std::vector<Point> table;
+  for (int i = 0; i < steps; ++i)
+  {
+    table.push_back(curve(2 * pi * i / steps));
+  }
+  return [curve, table](const Point& p) {
+    const auto nearer = [&p](const Point& a, const Point& b) {
+      return (a - p).squaredNorm() < (b - p).squaredNorm();
+    };
+    const auto nearest = std::min_element(table.begin(), table.end(), nearer) - table.begin();
+    double parameter = 2 * pi * static_cast<double>(nearest) / steps;
+    for (double step = 2 * pi / steps; step > 1e-12; step /= 2)
+    {
+      for (const double candidate : { parameter - step, parameter + step })
+      {
+        parameter = nearer(curve(candidate), curve(parameter)) ? candidate : parameter;
+      }
+    }
+    return curve(parameter);
+  };
+}
+
+/// Moves a shape.
+Shape shifted(Shape shape, const Point& by)
+{
+  shape.samples = moved(shape.samples, by);
+  shape.outside = [outside = shape.outside, by](const Point& p) { return outside(p - by); };
+  shape.axisDistance = [axis = shape.axisDistance, by](const Point& p) { return axis(p - by); };
+  return shape;
+}
+
+using Corner = std::array<Point, 4>;
+
+/// The sheets of the medial axis of the box with these half sides, longest first: one to each edge
+/// of the box, and the rectangle in the middle.
+std::vector<Corner> boxSheets(const Point& half)
+{
+  const Point middle = half - Point::Constant(half.z());
+  std::vector<Corner> sheets;
+  for (int edge = 0; edge < 12; ++edge)
+  {
+    const int along = edge / 4;
+    Point from, to;
+    from[along] = -1;
+    to[along] = 1;
+    from[(along + 1) % 3] = to[(along + 1) % 3] = edge % 2 == 0 ? -1 : 1;
+    from[(along + 2) % 3] = to[(along + 2) % 3] = edge / 2 % 2 == 0 ? -1 : 1;
+    sheets.push_back({ from.cwiseProduct(half), to.cwiseProduct(half), to.cwiseProduct(middle),
+      from.cwiseProduct(middle) });
+  }
+  const double x = middle.x(), y = middle.y();
+  sheets.push_back({ Point(-x, -y, 0), Point(x, -y, 0), Point(x, y, 0), Point(-x, y, 0) });
+  return sheets;
+}
+
+double distanceToSheets(const Point& p, const std::vector<Corner>& sheets)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Corner& c : sheets)
+  {
+    const Point first = validators::nearestOnTriangle(p, c[0], c[1], c[2]);
+    const Point second = validators::nearestOnTriangle(p, c[0], c[2], c[3]);
+    least = std::min({ least, (first - p).norm(), (second - p).norm() });
+  }
+  return least;
+}
+
+/// The box's corners, and points evenly on its edges.
+std::vector<Point> boxEdges(const Point& half, double spacing)
+{
+  std::vector<Point> result;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Point signs(corner % 2 * 2 - 1, corner / 2 % 2 * 2 - 1, corner / 4 * 2 - 1);
+    result.push_back(signs.cwiseProduct(half));
+    for (int along = 0; along < 3; ++along)
+    {
+      const int pieces = static_cast<int>(std::round(2 * half[along] / spacing));
+      for (int i = 1; signs[along] < 0 && i < pieces; ++i)
+      {
+        Point point = signs.cwiseProduct(half);
+        point[along] = half[along] * (2.0 * i / pieces - 1);
+        result.push_back(point);
+      }
+    }
+  }
+  return result;
+}
+
+Draw boxFaces(const Point& half)
+{
+  return [half](Random& random) {
+    const double xy = half.x() * half.y(), yz = half.y() * half.z(), zx = half.z() * half.x();
+    const double pick = uniform(random, 0, xy + yz + zx);
+    const int across = pick < xy ? 2 : pick < xy + yz ? 0 : 1;
+    Point point = uniformInBox(random, half);
+    point[across] = point[across] < 0 ? -half[across] : half[across];
+    return point;
+  };
+}
+
+double distanceToBox(const Point& p, const Point& half)
+{
+  const Point beyond = p.cwiseAbs() - half;
+  return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0);
+}
+
+/// A flat plate about the plane z = 0 with two round holes.
+struct Plate
+{
+  double x = 1.4, y = 0.8, hole = 0.35, holeAt = 0.65;
+
+  Point nearest(const Point& p) const
+  {
+    const Point clamped(
+      std::clamp(p.x(), -this->x, this->x), std::clamp(p.y(), -this->y, this->y), 0);
+    const Point centre(p.x() < 0 ? -this->holeAt : this->holeAt, 0, 0);
+    const bool inHole = (clamped - centre).norm() < this->hole;
+    return inHole ? circle(this->hole, centre)(p) : clamped;
+  }
+
+  /// Volume within `radius` of it: prisms, half cylinders, corners, and half tori in the holes.
+  double offsetVolume(double radius) const
+  {
+    const double area = 4 * this->x * this->y - 2 * pi * this->hole * this->hole;
+    const double halfDisk = pi * radius * radius / 2;
+    const double halfTorus = halfDisk * 2 * pi * (this->hole - 4 * radius / (3 * pi));
+    return 2 * radius * area + halfDisk * 4 * (this->x + this->y) +
+      4.0 / 3.0 * pi * radius * radius * radius + 2 * halfTorus;
+  }
+};
+}
+
+Shape sphere(double spacing, unsigned seed)
+{
+  const Offset solid{ [](const Point&) { return Point(0, 0, 0); }, 1, Point::Zero() };
+  Shape shape = offsetShape("sphere", solid, spacing, seed, { 1, 0, 0 });
+  shape.volume = 4.0 / 3.0 * pi;
+  return shape;
+}
+
+Shape ellipsoid(double spacing, unsigned seed)
+{
+  const Point half(1.5, 1, 0.5);
+  Shape shape;
+  shape.name = "ellipsoid";
+  shape.samples = poissonDisk(
+    [half](Random& random) { return Point(direction(random).cwiseProduct(half)); }, spacing, seed);
+  shape.seed = seed;
+  shape.spacing = spacing;
+  shape.betti = { 1, 0, 0 };
+  shape.volume = 4.0 / 3.0 * pi * half.prod();
+  shape.smooth = true;
+  shape.outside = [half](const Point& p) {
+    const double level = p.cwiseQuotient(half).norm();
+    const double slope = p.cwiseQuotient(half.cwiseProduct(half)).norm();
+    return level > 0 ? (level - 1) * level / slope : -half.z();
+  };
+  // The evolute's flat ellipse: where the curvature spheres of the long sections end.
+  const double a = half.x() - half.z() * half.z() / half.x();
+  const double b = half.y() - half.z() * half.z() / half.y();
+  const Projection rim =
+    closedCurve([a, b](double t) { return Point(a * std::cos(t), b * std::sin(t), 0); });
+  shape.axisDistance = [a, b, rim](const Point& p) {
+    return std::hypot(p.x() / a, p.y() / b) <= 1 ? std::abs(p.z()) : (p - rim(p)).norm();
+  };
+  return shape;
+}
+
+Shape torus(double spacing, unsigned seed)
+{
+  Shape shape =
+    offsetShape("torus", { circle(2), 0.7, Point(2, 2, 0) }, spacing, seed, { 1, 1, 0 });
+  shape.volume = 2 * pi * pi * 2 * 0.7 * 0.7;
+  return shape;
+}
+
+Shape capsule(double spacing, unsigned seed)
+{
+  const Projection segment = [](const Point& p) {
+    return Point(std::clamp(p.x(), -1.5, 1.5), 0, 0);
+  };
+  Shape shape =
+    offsetShape("capsule", { segment, 0.5, Point(1.5, 0, 0) }, spacing, seed, { 1, 0, 0 });
+  shape.volume = pi * 0.5 * 0.5 * 3 + 4.0 / 3.0 * pi * 0.125;
+  return shape;
+}
+
+Shape knot(double spacing, unsigned seed)
+{
+  const auto trefoil = [](double t) {
+    return Point(
+      std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t));
+  };
+  const double radius = 0.35;
+  Shape shape = offsetShape("knot", { closedCurve(trefoil), radius, Point(3, 3, 1) }, spacing, seed,
+    { 1, 1, 0 }, tubeAbout(trefoil, radius));
+  double length = 0;
+  for (int i = 0; i < 10000; ++i)
+  {
+    length += (trefoil(2 * pi * (i + 1) / 10000) - trefoil(2 * pi * i / 10000)).norm();
+  }
+  shape.volume = pi * radius * radius * length;
+  return shape;
+}
+
+Shape twoHolePlate(double spacing, unsigned seed)
+{
+  const Plate plate;
+  const double radius = 0.2;
+  const Offset solid{ [plate](const Point& p) { return plate.nearest(p); }, radius,
+    Point(plate.x, plate.y, 0) };
+  Shape shape = offsetShape("two-hole plate", solid, spacing, seed, { 1, 2, 0 });
+  shape.volume = plate.offsetVolume(radius);
+  return shape;
+}
+
+Shape hollowSphere(double spacing, unsigned seed)
+{
+  const Projection middle = [](const Point& p) {
+    return p.norm() > 0 ? Point(0.75 * p.normalized()) : Point(0.75, 0, 0);
+  };
+  Shape shape = offsetShape(
+    "hollow sphere", { middle, 0.25, Point::Constant(0.75) }, spacing, seed, { 1, 0, 1 });
+  shape.volume = 4.0 / 3.0 * pi * (1 - 0.125);
+  return shape;
+}
+
+Shape twoObjects(double spacing, unsigned seed)
+{
+  const Offset point{ [](const Point&) { return Point(0, 0, 0); }, 0.9, Point::Zero() };
+  const Offset ring{ circle(1.1), 0.35, Point(1.1, 1.1, 0) };
+  const Shape ball = shifted(offsetShape("", point, spacing, seed, {}), Point(-2, 0, 0));
+  const Shape loop = shifted(offsetShape("", ring, spacing, seed + 1, {}), Point(1.5, 0, 0));
+  Shape shape = ball;
+  shape.name = "two objects";
+  shape.samples.insert(shape.samples.end(), loop.samples.begin(), loop.samples.end());
+  shape.betti = { 2, 1, 0 };
+  shape.volume = 4.0 / 3.0 * pi * 0.9 * 0.9 * 0.9 + 2 * pi * pi * 1.1 * 0.35 * 0.35;
+  shape.outside = [a = ball.outside, b = loop.outside](
+                    const Point& p) { return std::min(a(p), b(p)); };
+  shape.axisDistance = [a = ball.axisDistance, b = loop.axisDistance](
+                         const Point& p) { return std::min(a(p), b(p)); };
+  return shape;
+}
+
+Shape box(double spacing, unsigned seed)
+{
+  const Point half(1.5, 1, 0.5);
+  Shape shape;
+  shape.name = "box";
+  shape.spacing = 0.85 * spacing;
+  shape.samples = poissonDisk(boxFaces(half), shape.spacing, seed, boxEdges(half, spacing));
+  shape.seed = seed;
+  shape.betti = { 1, 0, 0 };
+  shape.volume = 8 * half.prod();
+  shape.smooth = false;
+  shape.outside = [half](const Point& p) { return distanceToBox(p, half); };
+  shape.axisDistance = [sheets = boxSheets(half)](
+                         const Point& p) { return distanceToSheets(p, sheets); };
+  return shape;
+}
+
+const std::vector<Shape>& all()
+{
+  static const std::vector<Shape> shapes{ sphere(), ellipsoid(), torus(), capsule(), knot(),
+    twoHolePlate(), hollowSphere(), twoObjects(), box() };
+  return shapes;
+}
+
+std::vector<Point> gridCube(int perEdge)
+{
+  std::vector<Point> result;
+  for (int i = 0; i < perEdge * perEdge * perEdge; ++i)
+  {
+    const std::array<int, 3> at{ i % perEdge, i / perEdge % perEdge, i / perEdge / perEdge };
+    const bool onBoundary =
+      std::any_of(at.begin(), at.end(), [perEdge](int k) { return k == 0 || k == perEdge - 1; });
+    if (onBoundary)
+    {
+      result.emplace_back(at[0], at[1], at[2]);
+    }
+  }
+  return result;
+}
+
+std::vector<Point> openBowl()
+{
+  std::vector<Point> points = sphere().samples;
+  points.erase(
+    std::remove_if(points.begin(), points.end(), [](const Point& p) { return p.z() > 0.3; }),
+    points.end());
+  return points;
+}
+
+std::vector<Point> scaled(std::vector<Point> points, double factor)
+{
+  for (Point& point : points)
+  {
+    point *= factor;
+  }
+  return points;
+}
+
+std::vector<Point> moved(std::vector<Point> points, const Point& by)
+{
+  for (Point& point : points)
+  {
+    point += by;
+  }
+  return points;
+}
+
+std::vector<Point> rotated(std::vector<Point> points, unsigned seed, bool back)
+{
+  Random random(seed);
+  const Point axis = direction(random);
+  const double angle = uniform(random, 0.5, 2.5);
+  const Eigen::Matrix3d rotation =
+    Eigen::AngleAxisd(back ? -angle : angle, axis).toRotationMatrix();
+  for (Point& point : points)
+  {
+    point = rotation * point;
+  }
+  return points;
+}
+
+std::vector<Index> shuffledOrder(std::size_t size, unsigned seed)
+{
+  Random random(seed);
+  std::vector<Index> order(size);
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t i = size; i > 1; --i)
+  {
+    std::swap(order[i - 1], order[random() % i]);
+  }
+  return order;
+}
+
+std::vector<Point> reordered(const std::vector<Point>& points, const std::vector<Index>& order)
+{
+  std::vector<Point> result;
+  for (const Index i : order)
+  {
+    result.push_back(points.at(static_cast<std::size_t>(i)));
+  }
+  return result;
+}
+}
