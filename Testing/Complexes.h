@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Complexes_h
+#define Complexes_h
+
+#include "MedialAxis.h"
+#include "Validators.h"
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+/// Small complexes made by hand, as medial axes: every point is a ball of radius 1 and volume 1.
+namespace complexes
+{
+using medial::AxisCells;
+using medial::Edge;
+using medial::Index;
+using medial::MedialAxis;
+using medial::None;
+using medial::Point;
+using medial::Triangle;
+
+inline validators::Complex complexOf(const AxisCells& cells)
+{
+  return { cells.vertices, cells.edges, cells.triangles, {} };
+}
+
+inline MedialAxis axisOf(std::vector<Point> points, AxisCells cells)
+{
+  MedialAxis axis;
+  const std::size_t pointCount = points.size();
+  axis.points = std::move(points);
+  axis.radii.assign(pointCount, 1);
+  for (Index i = 0; i < static_cast<Index>(pointCount); ++i)
+  {
+    axis.ballOfPoint.push_back(i);
+    axis.ballOwner.push_back(i);
+  }
+  axis.ballVolumes.assign(pointCount, 1);
+  axis.cells = std::move(cells);
+  axis.polygonOfCell.assign(static_cast<std::size_t>(axis.cells.size()), None);
+  axis.samplesOfCell.assign(static_cast<std::size_t>(axis.cells.size()), Edge{ None, None });
+  for (Index t = 0; t < medial::count(axis.cells.triangles); ++t)
+  {
+    axis.polygonOfCell[axis.cells.firstTriangle() + t] = t;
+  }
+  axis.betti = axis.powerShapeBetti = validators::bettiNumbers(complexOf(axis.cells));
+  axis.certificate = true;
+  axis.fallback = false;
+  axis.kappa = 0;
+  return axis;
+}
+
+/// Points by place, triangles by their corners: what a sheet is drawn with.
+class Drawing
+{
+public:
+  Index point(double x, double y, double z)
+  {
+    const Point place(x, y, z);
+    const auto found = std::find(this->points.begin(), this->points.end(), place);
+    if (found == this->points.end())
+    {
+      this->points.push_back(place);
+      return medial::count(this->points) - 1;
+    }
+    return static_cast<Index>(found - this->points.begin());
+  }
+
+  void edge(Index a, Index b) { this->cells.edges.push_back({ a, b }); }
+  void vertex(Index a) { this->cells.vertices.push_back(a); }
+  void triangle(Index a, Index b, Index c) { this->cells.triangles.push_back({ a, b, c }); }
+
+  /// A parallelogram of rows x columns x 2 triangles, spanned by two vectors.
+  void sheet(const Point& corner, const Point& u, const Point& v, int rows, int columns)
+  {
+    const auto at = [&](int i, int j) {
+      const Point place = corner + i * u + j * v;
+      return this->point(place.x(), place.y(), place.z());
+    };
+    for (int i = 0; i < rows; ++i)
+    {
+      for (int j = 0; j < columns; ++j)
+      {
+        this->triangle(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+        this->triangle(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+    }
+  }
+
+  MedialAxis axis() const { return axisOf(this->points, this->cells); }
+
+  std::vector<Point> points;
+  AxisCells cells;
+};
+
+/// Paper Figure 7, left: three sheets that meet along one line. The parts form a cycle but no loop.
+inline Drawing cycleWithoutLoop()
+{
+  Drawing drawing;
+  const Point up(0, 0, 1);
+  drawing.sheet(Point(0, 0, 0), up, Point(1, 0, 0), 3, 3);
+  drawing.sheet(Point(0, 0, 0), up, Point(0, 1, 0), 3, 3);
+  drawing.sheet(Point(0, 0, 0), up, Point(-1, -1, 0), 3, 3);
+  return drawing;
+}
+
+/// Paper Figure 7, right: three sheets round a triangular tunnel, each with a fin outside, so that
+/// the sheets meet in pairs along three lines that don't touch. Parts 0, 1, 2 form the only loop;
+/// parts 3, 4, 5 are the fins.
+inline Drawing cycleWithLoop()
+{
+  Drawing drawing;
+  const Point up(0, 0, 1);
+  const Point a(0, 0, 0), b(4, 0, 0), c(0, 4, 0);
+  drawing.sheet(a, up, (b - a) / 4, 2, 4);
+  drawing.sheet(b, up, (c - b) / 4, 2, 4);
+  drawing.sheet(c, up, (a - c) / 4, 2, 4);
+  drawing.sheet(a, up, Point(-1, -1, 0), 2, 1);
+  drawing.sheet(b, up, Point(1, 0, 0), 2, 1);
+  drawing.sheet(c, up, Point(0, 1, 0), 2, 1);
+  return drawing;
+}
+
+/// A random complex without flat triangles: corners in general position on a moment curve. Some
+/// of its triangles, edges and vertices lie in nothing else.
+inline Drawing randomComplex(unsigned seed)
+{
+  std::mt19937 random(seed);
+  const Index pointCount = 8 + static_cast<Index>(random() % 8);
+  const Index triangleCount = 6 + static_cast<Index>(random() % 30);
+  Drawing drawing;
+  for (Index i = 0; i < pointCount; ++i)
+  {
+    const double t = 0.1 * i;
+    drawing.point(t, t * t, t * t * t);
+  }
+  std::vector<std::vector<Index>> used;
+  const auto isNew = [&used](std::vector<Index> corners) {
+    std::sort(corners.begin(), corners.end());
+    const bool distinct = std::adjacent_find(corners.begin(), corners.end()) == corners.end();
+    const bool covered = std::any_of(used.begin(), used.end(), [&](const auto& other) {
+      return std::includes(other.begin(), other.end(), corners.begin(), corners.end());
+    });
+    if (distinct && !covered)
+    {
+      used.push_back(corners);
+    }
+    return distinct && !covered;
+  };
+  const auto draw = [&] { return static_cast<Index>(random() % pointCount); };
+  for (Index k = 0; k < triangleCount; ++k)
+  {
+    const Index a = draw(), b = draw(), c = draw();
+    if (isNew({ a, b, c }))
+    {
+      drawing.triangle(a, b, c);
+    }
+  }
+  for (Index k = 0; k < 6; ++k)
+  {
+    const Index a = draw(), b = draw();
+    if (isNew({ a, b }))
+    {
+      drawing.edge(a, b);
+    }
+  }
+  for (Index a = 0; a < pointCount; ++a)
+  {
+    if (isNew({ a }))
+    {
+      drawing.vertex(a);
+    }
+  }
+  return drawing;
+}
+}
+
+#endif
