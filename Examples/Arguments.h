@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Arguments_h
+#define Arguments_h
+
+#include <string>
+#include <vector>
+
+/// One word of a schedule: an iteration of decompose - measure - prune.
+struct Iteration
+{
+  enum Measure
+  {
+    TriangleCount, ///< tN
+    RelativeVolume ///< vP%
+  };
+  Measure measure;
+  double threshold; ///< triangles, or the share of the object's volume, 0 ... 1
+  std::string word; ///< as given
+};
+
+/// What the command line asks for.
+struct Arguments
+{
+  std::string input;
+  std::string output = "out";
+  std::string schedule = "t5 t5 v1%";
+  std::vector<Iteration> iterations; ///< the schedule, understood
+  bool keepTopology = true;
+  std::vector<int> partsToRemove;
+  int threads = 0; ///< 0: as many as there are
+  bool picture = false;
+  bool strict = false;
+  bool quiet = false;
+  bool help = false;
+};
+
+/// @throw UsageError  says which word is wrong and what is expected instead
+Arguments parseArguments(int argc, char* argv[]);
+
+/// The text of --help.
+const char* usage();
+
+#endif

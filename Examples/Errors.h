@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Errors_h
+#define Errors_h
+
+#include <stdexcept>
+
+/// The program's exit codes.
+enum ExitCode
+{
+  Done = 0,
+  WrongUsage = 1,
+  UnusableInput = 2, ///< the input can't be used, or the output can't be written
+  NotCertified = 3   ///< --strict: the axis does not have the topology of the power shape
+};
+
+/// The command line can't be understood or asks for something that isn't there.
+class UsageError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file can't be read, used or written.
+class InputError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Pictures_h
+#define Pictures_h
+
+#include <array>
+#include <string>
+
+class OutputFolder;
+class vtkPolyData;
+
+/// A stage of the pipeline to be drawn.
+struct Stage
+{
+  std::string name;    ///< of the picture's file, without .png
+  std::string caption; ///< in the overview
+  vtkPolyData* data;
+};
+
+/// Samples, axis, parts, pruned axis and surface, in this order.
+using Stages = std::array<Stage, 5>;
+
+/// @throw UsageError  there is no X server to draw with; without one VTK would abort the process
+void checkDisplay();
+
+/// Draws every stage, all seen from the same place, and an overview with the five side by side.
+/// @throw InputError  a picture can't be written
+void drawPictures(const Stages& stages, OutputFolder& folder);
+
+#endif

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Report.h"
+
+#include "Arguments.h"
+#include "Pipeline.h"
+
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <sys/resource.h>
+#include <utility>
+#include <vector>
+
+namespace
+{
+using Members = std::vector<std::pair<const char*, std::string>>;
+
+std::string number(double value)
+{
+  if (!std::isfinite(value))
+  {
+    return "null";
+  }
+  std::ostringstream out;
+  out << std::setprecision(std::numeric_limits<double>::max_digits10) << value;
+  return out.str();
+}
+
+std::string seconds(double value)
+{
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(3) << value;
+  return out.str();
+}
+
+std::string truth(bool value)
+{
+  return value ? "true" : "false";
+}
+
+std::string joined(const std::vector<std::string>& items, const char* separator)
+{
+  std::string text;
+  for (const std::string& item : items)
+  {
+    text += (text.empty() ? "" : separator) + item;
+  }
+  return text;
+}
+
+/// A JSON object; `separator` stands between its members.
+std::string object(const Members& members, const char* separator = ", ")
+{
+  std::vector<std::string> items;
+  for (const auto& [key, value] : members)
+  {
+    items.push_back('"' + std::string(key) + "\": " + value);
+  }
+  return joined(items, separator);
+}
+
+std::string inBraces(const Members& members)
+{
+  return "{ " + object(members) + " }";
+}
+
+std::vector<std::string> bettiNumbers(vtkDataObject* output, const char* array)
+{
+  return { number(fieldValue(output, array, 0)), number(fieldValue(output, array, 1)),
+    number(fieldValue(output, array, 2)) };
+}
+
+std::string bettiList(vtkDataObject* output, const char* array)
+{
+  return "[" + joined(bettiNumbers(output, array), ", ") + "]";
+}
+
+std::string iterations(vtkTable* history)
+{
+  std::vector<std::string> rows;
+  for (vtkIdType row = 0; row < history->GetNumberOfRows(); ++row)
+  {
+    const auto value = [&](const char* column) {
+      return history->GetValueByName(row, column).ToDouble();
+    };
+    const bool byHand = value("ByHand") != 0;
+    const bool byVolume = value("Measure") == vtkMedialPrune::RELATIVE_VOLUME;
+    rows.push_back(inBraces({
+      { "measure",
+        byHand       ? "\"byHand\""
+          : byVolume ? "\"relativeVolume\""
+                     : "\"triangleCount\"" },
+      { "threshold", byHand ? "null" : number(value("Threshold")) },
+      { "partsBefore", number(value("PartsBefore")) },
+      { "partsAfter", number(value("PartsAfter")) },
+      { "removed", number(value("Removed")) },
+      { "refused", number(value("Refused")) },
+    }));
+  }
+  return rows.empty() ? "[]" : "[\n    " + joined(rows, ",\n    ") + "\n  ]";
+}
+
+std::string balls(const Pipeline& pipeline)
+{
+  vtkDataObject* output = pipeline.balls->GetOutput();
+  return inBraces({
+    { "inner", number(fieldValue(output, "NumberOfInnerBalls")) },
+    { "outer", number(fieldValue(output, "NumberOfOuterBalls")) },
+    { "hidden", number(fieldValue(output, "NumberOfHiddenBalls")) },
+    { "offAxis", number(fieldValue(pipeline.axis->GetOutput(), "NumberOfOffAxisBalls")) },
+  });
+}
+
+std::string betti(const Pipeline& pipeline)
+{
+  return inBraces({
+    { "powerShape", bettiList(pipeline.axis->GetOutput(), "BettiPowerShape") },
+    { "axis", bettiList(pipeline.axis->GetOutput(), "BettiAxis") },
+    { "pruned", bettiList(pipeline.prune->GetOutput(), "BettiAxis") },
+    { "crust", bettiList(pipeline.crust->GetOutput(), "BettiCrust") },
+  });
+}
+
+std::string times(const Pipeline& pipeline, double total)
+{
+  return inBraces({
+    { "polarBalls", seconds(pipeline.seconds.polarBalls) },
+    { "medialAxis", seconds(pipeline.seconds.medialAxis) },
+    { "parts", seconds(pipeline.seconds.parts) },
+    { "prune", seconds(pipeline.seconds.prune) },
+    { "crust", seconds(pipeline.seconds.crust) },
+    { "total", seconds(total) },
+  });
+}
+
+double peakMemoryMiB()
+{
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::round(usage.ru_maxrss / 1024.0); // Linux counts in KiB
+}
+
+/// A count with its thousands apart.
+std::string grouped(double value)
+{
+  std::string digits = std::to_string(static_cast<long long>(value));
+  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
+  {
+    digits.insert(i, ",");
+  }
+  return digits;
+}
+
+std::string scheduleLines(const Pipeline& pipeline, const Arguments& arguments)
+{
+  vtkTable* history = vtkTable::SafeDownCast(pipeline.prune->GetOutputDataObject(1));
+  std::ostringstream out;
+  for (vtkIdType row = 0; row < history->GetNumberOfRows(); ++row)
+  {
+    const auto value = [&](const char* column) {
+      return history->GetValueByName(row, column).ToDouble();
+    };
+    const bool byHand = value("ByHand") != 0;
+    out << "  " << std::left << std::setw(10)
+        << (byHand ? "by hand" : arguments.iterations[row].word) << grouped(value("PartsBefore"))
+        << " -> " << grouped(value("PartsAfter")) << " parts";
+    if (value("Refused") > 0)
+    {
+      out << ", " << grouped(value("Refused")) << " kept for the topology";
+    }
+    out << '\n';
+  }
+  return out.str();
+}
+
+std::string surfaceLine(const Pipeline& pipeline)
+{
+  vtkPolyData* surface = pipeline.crust->GetOutput();
+  std::ostringstream out;
+  out << "  surface   " << grouped(surface->GetNumberOfPolys()) << " faces, "
+      << (fieldValue(surface, "Closed") != 0 ? "closed" : "NOT CLOSED") << ", " << std::fixed
+      << std::setprecision(2)
+      << 100 * fieldValue(surface, "Volume") /
+      fieldValue(pipeline.crustBefore->GetOutput(), "Volume")
+      << " % of the volume before\n";
+  return out.str();
+}
+
+std::string bettiLine(const Pipeline& pipeline)
+{
+  vtkDataObject* axis = pipeline.axis->GetOutput();
+  std::string line =
+    "  Betti     power shape " + joined(bettiNumbers(axis, "BettiPowerShape"), " ");
+  line += ", axis " + joined(bettiNumbers(axis, "BettiAxis"), " ");
+  line += ", pruned " + joined(bettiNumbers(pipeline.prune->GetOutput(), "BettiAxis"), " ");
+  line += ", surface " + joined(bettiNumbers(pipeline.crust->GetOutput(), "BettiCrust"), " ");
+  return line + (isCertified(pipeline) ? ": certified\n" : ": NOT CERTIFIED\n");
+}
+}
+
+std::string report(const Pipeline& pipeline, double total)
+{
+  vtkDataObject* samples = pipeline.balls->GetOutput();
+  return "{\n  " +
+    object(
+      {
+        { "samples", number(fieldValue(samples, "NumberOfSamples")) },
+        { "duplicates", number(fieldValue(samples, "NumberOfDuplicates")) },
+        { "balls", balls(pipeline) },
+        { "betti", betti(pipeline) },
+        { "certificate", truth(isCertified(pipeline)) },
+        { "fallback", truth(fieldValue(pipeline.axis->GetOutput(), "Fallback") != 0) },
+        { "iterations",
+          iterations(vtkTable::SafeDownCast(pipeline.prune->GetOutputDataObject(1))) },
+        { "parts", number(fieldValue(pipeline.parts->GetOutput(), "NumberOfParts")) },
+        { "volume",
+          inBraces({
+            { "crustBefore", number(fieldValue(pipeline.crustBefore->GetOutput(), "Volume")) },
+            { "crustAfter", number(fieldValue(pipeline.crust->GetOutput(), "Volume")) },
+          }) },
+        { "seconds", times(pipeline, total) },
+        { "peakMemoryMiB", number(peakMemoryMiB()) },
+      },
+      ",\n  ") +
+    "\n}\n";
+}
+
+std::string summary(const Pipeline& pipeline, const Arguments& arguments, double total)
+{
+  vtkDataObject* samples = pipeline.balls->GetOutput();
+  std::ostringstream out;
+  out << arguments.input << ": " << grouped(fieldValue(samples, "NumberOfSamples")) << " samples\n"
+      << "  balls     " << grouped(fieldValue(samples, "NumberOfInnerBalls")) << " inner, "
+      << grouped(fieldValue(samples, "NumberOfOuterBalls")) << " outer\n"
+      << "  axis      " << grouped(pipeline.axis->GetOutput()->GetNumberOfPolys())
+      << " triangles in " << grouped(fieldValue(pipeline.parts->GetOutput(), "NumberOfParts"))
+      << " parts\n"
+      << scheduleLines(pipeline, arguments) << surfaceLine(pipeline) << bettiLine(pipeline) << "  "
+      << std::fixed << std::setprecision(1) << total << " s, " << std::setprecision(0)
+      << peakMemoryMiB() << " MiB; results in " << arguments.output << "/\n";
+  return out.str();
+}
+
+bool isCertified(const Pipeline& pipeline)
+{
+  return fieldValue(pipeline.axis->GetOutput(), "Certificate") != 0;
+}

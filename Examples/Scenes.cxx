@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scenes.h"
+
+#include "Triangles.h"
+
+#include <vtkCellData.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkDataArray.h>
+#include <vtkMath.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVertexGlyphFilter.h>
+
+#include <array>
+#include <cmath>
+
+namespace
+{
+vtkSmartPointer<vtkActor> actorOf(vtkAlgorithm* source)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
+}
+
+/// An actor whose cells or points have the colours given.
+vtkSmartPointer<vtkActor> colouredActor(vtkPolyData* data, vtkUnsignedCharArray* ofCells)
+{
+  vtkNew<vtkPolyData> coloured;
+  coloured->CopyStructure(data);
+  coloured->GetCellData()->SetScalars(ofCells);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(coloured);
+  mapper->SetScalarModeToUseCellData();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
+}
+
+/// The look of sheets: they are seen from both sides, so little of the light is directed.
+void lookLikeSheets(vtkActor* actor, double scale)
+{
+  vtkProperty* look = actor->GetProperty();
+  look->SetAmbient(0.25);
+  look->SetDiffuse(0.8);
+  look->SetInterpolationToFlat();
+  look->SetLineWidth(static_cast<float>(1.5 * scale));
+  look->SetPointSize(static_cast<float>(3 * scale));
+}
+
+/// Dark blue over green to yellow, of steadily growing lightness.
+vtkSmartPointer<vtkColorTransferFunction> radiusColors(const double range[2])
+{
+  static const double lab[][3] = { { 18, 32, -46 }, { 34, 10, -42 }, { 50, -18, -22 },
+    { 66, -40, 12 }, { 80, -28, 58 }, { 92, -6, 78 } };
+  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
+  colors->SetColorSpaceToLab();
+  for (int i = 0; i < 6; ++i)
+  {
+    std::array<double, 3> rgb;
+    vtkMath::LabToRGB(lab[i], rgb.data());
+    colors->AddRGBPoint(range[0] + (range[1] - range[0]) * i / 5, rgb[0], rgb[1], rgb[2]);
+  }
+  return colors;
+}
+
+/// A colour for a part: hues a golden section of the circle apart, in three lightnesses.
+std::array<unsigned char, 3> partColor(vtkIdType part)
+{
+  constexpr double goldenSection = 0.61803398874989485;
+  const double hue = 2 * vtkMath::Pi() * std::fmod(0.12 + part * goldenSection, 1.0);
+  const double lightness = std::array<double, 3>{ 66, 52, 78 }[part % 3];
+  const double lab[3] = { lightness, 55 * std::cos(hue), 55 * std::sin(hue) };
+  std::array<double, 3> rgb;
+  vtkMath::LabToRGB(lab, rgb.data());
+  return { static_cast<unsigned char>(255 * rgb[0]), static_cast<unsigned char>(255 * rgb[1]),
+    static_cast<unsigned char>(255 * rgb[2]) };
+}
+}
+
+vtkSmartPointer<vtkActor> samplesActor(vtkPolyData* samples, double scale)
+{
+  vtkNew<vtkVertexGlyphFilter> vertices;
+  vertices->SetInputData(samples);
+  auto actor = actorOf(vertices);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(0.2, 0.24, 0.3);
+  actor->GetProperty()->SetPointSize(static_cast<float>(1.3 * scale));
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> axisActor(vtkPolyData* axis, double scale)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(axis);
+  if (vtkDataArray* radius = axis->GetPointData()->GetArray("Radius"))
+  {
+    mapper->SetLookupTable(radiusColors(radius->GetRange()));
+    mapper->SetScalarModeToUsePointFieldData();
+    mapper->SelectColorArray("Radius");
+    mapper->InterpolateScalarsBeforeMappingOn();
+  }
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  lookLikeSheets(actor, scale);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> partsActor(vtkPolyData* parts, double scale)
+{
+  vtkDataArray* partId = parts->GetCellData()->GetArray("PartId");
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(parts->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < parts->GetNumberOfCells(); ++cell)
+  {
+    const auto part = static_cast<vtkIdType>(partId->GetTuple1(cell));
+    colors->SetTypedTuple(cell, partColor(part).data());
+  }
+  auto actor = colouredActor(parts, colors);
+  lookLikeSheets(actor, scale);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(inTriangles(surface));
+  normals->ConsistencyOff(); // the crust is oriented already
+  normals->SetFeatureAngle(45);
+  auto actor = actorOf(normals);
+  vtkProperty* look = actor->GetProperty();
+  look->SetColor(0.87, 0.84, 0.79);
+  look->SetAmbient(0.12);
+  look->SetDiffuse(0.9);
+  look->SetSpecular(0.15);
+  look->SetSpecularPower(25);
+  return actor;
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Scenes_h
+#define Scenes_h
+
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+class vtkPolyData;
+
+// What each picture shows. `scale` is the number of pixels to a unit of line width.
+
+/// The samples as dots.
+vtkSmartPointer<vtkActor> samplesActor(vtkPolyData* samples, double scale);
+
+/// The axis coloured by Radius: dark where the solid is thin, bright where it is thick.
+vtkSmartPointer<vtkActor> axisActor(vtkPolyData* axis, double scale);
+
+/// The axis coloured by PartId, neighbouring ids far apart.
+vtkSmartPointer<vtkActor> partsActor(vtkPolyData* parts, double scale);
+
+/// The closed surface, smoothly shaded.
+vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface);
+
+#endif
