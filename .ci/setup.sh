@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# What Examples/run and Testing/run share. Source it from a bash script with `set -eu`.
+
+export DEBIAN_FRONTEND=noninteractive
+
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${MEDIAL_BUILD:-$top/build}
+
+build_packages=(g++ cmake ninja-build libvtk9-dev libcgal-dev libeigen3-dev)
+picture_packages=(xvfb libgl1-mesa-dri)
+
+say() { printf '\n== %s\n' "$*"; }
+
+fail()
+{
+  printf '%s\n' "$*" >&2
+  exit 1
+}
+
+# Runs a command as root.
+as_root()
+{
+  if [ "$(id -u)" = 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    fail "This needs root once: $*"
+  fi
+}
+
+# Installs those of the Debian packages that are missing.
+install_packages()
+{
+  local package missing=()
+  command -v apt-get >/dev/null || fail "This script needs Debian 12 or a system like it (apt-get)."
+  for package in "$@"; do
+    dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed ||
+      missing+=("$package")
+  done
+  [ ${#missing[@]} = 0 ] && return
+  say "Installing ${missing[*]}"
+  as_root apt-get update -q
+  as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
+
+# Configures and builds the project; arguments go to CMake.
+build_project()
+{
+  say "Building in $build"
+  cmake -S "$top" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$build.log" 2>&1 ||
+    { cat "$build.log"; fail "CMake failed."; }
+  mkdir -p "$build" && mv "$build.log" "$build/configure.log"
+  cmake --build "$build"
+}
+
+# Starts an X server of our own on a number nobody uses, until the script ends.
+start_xvfb()
+{
+  local number try
+  for try in 0 1 2 3 4; do
+    number=$((100 + ($$ + 7919 * try) % 50000))
+    Xvfb ":$number" -noreset -nolisten tcp -screen 0 1280x1024x24 >"$build/xvfb.log" 2>&1 </dev/null &
+    xvfb=$!
+    if xvfb_answers "$number"; then
+      trap 'kill "$xvfb" 2>/dev/null || true' EXIT
+      export DISPLAY=":$number" LIBGL_ALWAYS_SOFTWARE=1
+      unset XAUTHORITY
+      return
+    fi
+    kill "$xvfb" 2>/dev/null || true
+  done
+  cat "$build/xvfb.log" >&2
+  fail "Xvfb doesn't start."
+}
+
+# Waits up to 20 s for the server $xvfb to listen at a display number.
+xvfb_answers()
+{
+  local wait
+  for wait in $(seq 100); do
+    kill -0 "$xvfb" 2>/dev/null || return 1
+    grep -qE "/tmp/\.X11-unix/X$1\$" /proc/net/unix && return 0
+    sleep 0.2
+  done
+  return 1
+}
