@@ -105,12 +105,13 @@ void addLight(vtkRenderer* renderer, double right, double up, double front, doub
   renderer->AddLight(light);
 }
 
-vtkSmartPointer<vtkActor> actorOf(std::size_t stage, vtkPolyData* data, double scale)
+vtkSmartPointer<vtkActor> actorOf(
+  std::size_t stage, vtkPolyData* data, const View& view, double scale)
 {
   switch (stage)
   {
     case 0:
-      return samplesActor(data, scale);
+      return samplesActor(data, view.direction, scale);
     case 1:
       return axisActor(data, scale);
     case 4:
@@ -120,15 +121,17 @@ vtkSmartPointer<vtkActor> actorOf(std::size_t stage, vtkPolyData* data, double s
   }
 }
 
-/// A white renderer with one stage in it.
-vtkSmartPointer<vtkRenderer> rendererOf(std::size_t stage, vtkPolyData* data, double scale)
+/// A white renderer with one stage in it, for a viewport of this width / height.
+vtkSmartPointer<vtkRenderer> rendererOf(
+  std::size_t stage, vtkPolyData* data, const View& view, double aspect, double scale)
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetBackground(1, 1, 1);
-  renderer->AddActor(actorOf(stage, data, scale));
+  renderer->AddActor(actorOf(stage, data, view, scale));
   renderer->AutomaticLightCreationOff();
   addLight(renderer, -0.6, 0.8, 1, 0.75);
   addLight(renderer, 0.9, 0.2, 0.7, 0.3);
+  view.apply(renderer, aspect);
   return renderer;
 }
 
@@ -179,9 +182,8 @@ void drawOverview(const Stages& stages, const View& view, OutputFolder& folder)
   {
     const double left = double(i) / stages.size();
     const double right = double(i + 1) / stages.size();
-    auto scene = rendererOf(i, stages[i].data, 0.7 * Oversampling);
+    auto scene = rendererOf(i, stages[i].data, view, aspect, 0.7 * Oversampling);
     scene->SetViewport(left, CaptionHeight, right, 1);
-    view.apply(scene, aspect);
     window->AddRenderer(scene);
     vtkNew<vtkRenderer> below;
     below->SetBackground(1, 1, 1);
@@ -232,8 +234,7 @@ void drawPictures(const Stages& stages, OutputFolder& folder)
   const View view(stages[0].data);
   for (std::size_t i = 0; i < stages.size(); ++i)
   {
-    auto scene = rendererOf(i, stages[i].data, Oversampling);
-    view.apply(scene, 1);
+    auto scene = rendererOf(i, stages[i].data, view, 1, Oversampling);
     auto window = windowOf(PictureSize, PictureSize);
     window->AddRenderer(scene);
     writePicture(window, stages[i].name, folder);

@@ -15,8 +15,11 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkVertexGlyphFilter.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace
 {
@@ -71,6 +74,28 @@ vtkSmartPointer<vtkColorTransferFunction> radiusColors(const double range[2])
   return colors;
 }
 
+/// Dark for the nearest sample, pale for the farthest.
+vtkSmartPointer<vtkUnsignedCharArray> depthColors(
+  vtkPolyData* samples, const double towardsViewer[3])
+{
+  const vtkIdType count = samples->GetNumberOfPoints();
+  std::vector<double> nearness(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    nearness[i] = vtkMath::Dot(samples->GetPoint(i), towardsViewer);
+  }
+  const auto [farthest, nearest] = std::minmax_element(nearness.begin(), nearness.end());
+  const double range = std::max(*nearest - *farthest, std::numeric_limits<double>::min());
+  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  colors->SetNumberOfComponents(3);
+  for (double value : nearness)
+  {
+    const double pale = (*nearest - value) / range;
+    colors->InsertNextTuple3(30 + 185 * pale, 50 + 170 * pale, 90 + 140 * pale);
+  }
+  return colors;
+}
+
 /// A colour for a part: hues a golden section of the circle apart, in three lightnesses.
 std::array<unsigned char, 3> partColor(vtkIdType part)
 {
@@ -85,14 +110,18 @@ std::array<unsigned char, 3> partColor(vtkIdType part)
 }
 }
 
-vtkSmartPointer<vtkActor> samplesActor(vtkPolyData* samples, double scale)
+vtkSmartPointer<vtkActor> samplesActor(
+  vtkPolyData* samples, const double towardsViewer[3], double scale)
 {
+  vtkNew<vtkPolyData> shaded;
+  shaded->CopyStructure(samples);
+  shaded->GetPointData()->SetScalars(depthColors(samples, towardsViewer));
   vtkNew<vtkVertexGlyphFilter> vertices;
-  vertices->SetInputData(samples);
+  vertices->SetInputData(shaded);
   auto actor = actorOf(vertices);
+  actor->GetMapper()->ScalarVisibilityOn();
   actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetColor(0.2, 0.24, 0.3);
-  actor->GetProperty()->SetPointSize(static_cast<float>(1.3 * scale));
+  actor->GetProperty()->SetPointSize(static_cast<float>(1.6 * scale));
   return actor;
 }
 
@@ -137,9 +166,9 @@ vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface)
   normals->SetFeatureAngle(45);
   auto actor = actorOf(normals);
   vtkProperty* look = actor->GetProperty();
-  look->SetColor(0.87, 0.84, 0.79);
-  look->SetAmbient(0.12);
-  look->SetDiffuse(0.9);
+  look->SetColor(0.93, 0.9, 0.84);
+  look->SetAmbient(0.18);
+  look->SetDiffuse(0.88);
   look->SetSpecular(0.15);
   look->SetSpecularPower(25);
   return actor;

@@ -9,8 +9,10 @@ class vtkPolyData;
 
 // What each picture shows. `scale` is the number of pixels to a unit of line width.
 
-/// The samples as dots.
-vtkSmartPointer<vtkActor> samplesActor(vtkPolyData* samples, double scale);
+/// The samples as dots, paler the farther away they are.
+/// @param towardsViewer  direction of length 1
+vtkSmartPointer<vtkActor> samplesActor(
+  vtkPolyData* samples, const double towardsViewer[3], double scale);
 
 /// The axis coloured by Radius: dark where the solid is thin, bright where it is thick.
 vtkSmartPointer<vtkActor> axisActor(vtkPolyData* axis, double scale);
