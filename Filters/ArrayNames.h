@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ArrayNames_h
+#define ArrayNames_h
+
+/// The name of every array between the filters. What each holds: the headers of the filters, and
+/// the table in README.md.
+namespace medial
+{
+namespace names
+{
+// vtkPolarBalls: points, one for each ball
+constexpr const char* Radius = "Radius";
+constexpr const char* Side = "Side";
+constexpr const char* TouchesGuard = "TouchesGuard";
+constexpr const char* Volume = "Volume";
+// ... field data, one entry for each sample
+constexpr const char* Samples = "Samples";
+constexpr const char* DuplicateOf = "DuplicateOf";
+constexpr const char* SampleInnerBall = "SampleInnerBall";
+constexpr const char* SampleOuterBall = "SampleOuterBall";
+constexpr const char* SamplingQuality = "SamplingQuality";
+// ... field data, lists of samples, one list for each ball
+constexpr const char* BallSampleOffsets = "BallSampleOffsets";
+constexpr const char* BallSamples = "BallSamples";
+// ... field data, single values
+constexpr const char* NumberOfSamples = "NumberOfSamples";
+constexpr const char* NumberOfDuplicates = "NumberOfDuplicates";
+constexpr const char* NumberOfInnerBalls = "NumberOfInnerBalls";
+constexpr const char* NumberOfOuterBalls = "NumberOfOuterBalls";
+constexpr const char* NumberOfHiddenBalls = "NumberOfHiddenBalls";
+constexpr const char* BettiPowerShape = "BettiPowerShape";
+
+// vtkMedialAxis: points
+constexpr const char* BallId = "BallId";
+constexpr const char* MaximumInscribedSphereRadius = "MaximumInscribedSphereRadius";
+// ... cells
+constexpr const char* PolygonId = "PolygonId";
+constexpr const char* SiteSamples = "SiteSamples";
+// ... field data, one entry for each ball
+constexpr const char* BallOwner = "BallOwner";
+constexpr const char* BallVolume = "BallVolume";
+// ... field data, single values
+constexpr const char* BettiAxis = "BettiAxis";
+constexpr const char* Certificate = "Certificate";
+constexpr const char* Fallback = "Fallback";
+constexpr const char* Kappa = "Kappa";
+constexpr const char* NumberOfOffAxisBalls = "NumberOfOffAxisBalls";
+
+// vtkMedialPartDecomposition: cells
+constexpr const char* PartId = "PartId"; // and column of the table
+constexpr const char* PartLevel = "PartLevel";
+constexpr const char* TriangleCount = "TriangleCount";
+constexpr const char* RelativeVolume = "RelativeVolume"; // and column of the table
+// ... field data, single values
+constexpr const char* NumberOfParts = "NumberOfParts";
+// ... columns of the table of parts; Volume too
+constexpr const char* Dimension = "Dimension";
+constexpr const char* Level = "Level";
+constexpr const char* Triangles = "Triangles";
+constexpr const char* Area = "Area";
+constexpr const char* MeanRadius = "MeanRadius";
+constexpr const char* MinimumRadius = "MinimumRadius";
+constexpr const char* MaximumRadius = "MaximumRadius";
+constexpr const char* Contacts = "Contacts";
+constexpr const char* Bounds = "Bounds";
+// ... contact curves: cells, and lists of parts in the field data, one list for each curve
+constexpr const char* ContactId = "ContactId";
+constexpr const char* ContactPartOffsets = "ContactPartOffsets";
+constexpr const char* ContactParts = "ContactParts";
+
+// vtkMedialPrune: cells
+constexpr const char* KeepReason = "KeepReason";
+// ... cells of what was removed, and column of the history
+constexpr const char* Iteration = "Iteration";
+// ... columns of the history
+constexpr const char* ByHand = "ByHand";
+constexpr const char* Measure = "Measure";
+constexpr const char* Threshold = "Threshold";
+constexpr const char* Passes = "Passes";
+constexpr const char* PartsBefore = "PartsBefore";
+constexpr const char* PartsAfter = "PartsAfter";
+constexpr const char* Candidates = "Candidates";
+constexpr const char* Removed = "Removed";
+constexpr const char* Refused = "Refused";
+constexpr const char* Betti = "Betti";
+constexpr const char* VolumeRemoved = "VolumeRemoved";
+
+// vtkPowerCrust: points
+constexpr const char* SampleId = "SampleId";
+// ... cells; PartId too
+constexpr const char* InnerBall = "InnerBall";
+constexpr const char* OuterBall = "OuterBall";
+// ... field data, single values; Volume too
+constexpr const char* BettiCrust = "BettiCrust";
+constexpr const char* Closed = "Closed";
+constexpr const char* Manifold = "Manifold";
+constexpr const char* InsertedBalls = "InsertedBalls";
+constexpr const char* Rounds = "Rounds";
+constexpr const char* MaximumClearance = "MaximumClearance";
+}
+}
+
+#endif

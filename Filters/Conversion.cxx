@@ -1,0 +1,775 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Conversion.h"
+
+#include "ArrayNames.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <ostream>
+#include <set>
+#include <sstream>
+
+namespace medial
+{
+namespace
+{
+constexpr Index Largest = std::numeric_limits<Index>::max();
+constexpr vtkIdType AnyCount = -1;
+
+template <typename... Pieces>
+[[noreturn]] void refuse(const Pieces&... pieces)
+{
+  std::ostringstream message;
+  (message << ... << pieces);
+  throw InvalidInput(message.str());
+}
+
+Index toIndex(vtkIdType number, const char* ofWhat)
+{
+  if (number < 0 || number >= Largest)
+  {
+    refuse(number, " ", ofWhat, ": at most ", Largest - 1, " can be used");
+  }
+  return static_cast<Index>(number);
+}
+
+struct Itself
+{
+  template <typename Value>
+  const Value& operator()(const Value& value) const
+  {
+    return value;
+  }
+};
+
+/// An array of tuples; field(value) is what becomes one and can be indexed by component.
+template <typename Array, typename Values, typename Field = Itself>
+vtkSmartPointer<Array> tuples(
+  const char* name, int components, const Values& values, Field field = {})
+{
+  using Number = typename Array::ValueType;
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  vtkIdType next = 0;
+  for (const auto& value : values)
+  {
+    const auto& tuple = field(value);
+    for (int component = 0; component < components; ++component)
+    {
+      array->SetValue(next++, static_cast<Number>(tuple[component]));
+    }
+  }
+  return array;
+}
+
+/// Adds an array with one number, field(value), for each value.
+template <typename Array, typename Values, typename Field = Itself>
+void add(vtkFieldData* data, const char* name, const Values& values, Field field = {})
+{
+  const auto number = [&](const auto& value) { return std::array{ std::invoke(field, value) }; };
+  data->AddArray(tuples<Array>(name, 1, values, number));
+}
+
+template <typename Array, typename Value>
+void addOne(vtkFieldData* data, const char* name, Value value)
+{
+  add<Array>(data, name, std::array{ value });
+}
+
+void addBetti(vtkFieldData* data, const char* name, const Betti& betti)
+{
+  data->AddArray(tuples<vtkIdTypeArray>(name, 3, std::array{ betti }));
+}
+
+template <typename Values, typename Field = Itself>
+vtkSmartPointer<vtkPoints> points(const Values& values, Field field = {})
+{
+  auto result = vtkSmartPointer<vtkPoints>::New();
+  result->SetData(tuples<vtkDoubleArray>("Points", 3, values, field));
+  return result;
+}
+
+/// `cells` is a range of arrays or lists of points.
+template <typename Cells>
+vtkSmartPointer<vtkCellArray> cellArray(const Cells& cells)
+{
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  std::vector<vtkIdType> corners;
+  for (vtkIdType i = 0; i < static_cast<vtkIdType>(cells.size()); ++i)
+  {
+    const auto& cell = cells[static_cast<Index>(i)];
+    corners.assign(cell.begin(), cell.end());
+    result->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+  }
+  return result;
+}
+
+/// The arrays of one kind of an input, read with every value checked.
+class Arrays
+{
+public:
+  /// @param kind    point, cell or field
+  /// @param remedy  what to do where an array does not fit
+  Arrays(vtkFieldData* data, const char* kind, const char* remedy)
+    : Data(data)
+    , Kind(kind)
+    , Remedy(remedy)
+  {
+  }
+
+  bool has(const char* name) const { return this->Data->GetAbstractArray(name) != nullptr; }
+
+  /// Finite numbers >= lowest.
+  std::vector<double> reals(const char* name, vtkIdType count,
+    double lowest = std::numeric_limits<double>::lowest(), int components = 1) const
+  {
+    vtkDataArray* array = this->find(name, count, components);
+    std::vector<double> result;
+    result.reserve(array->GetNumberOfValues());
+    for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+    {
+      const double value = array->GetComponent(i / components, static_cast<int>(i % components));
+      if (!std::isfinite(value) || value < lowest)
+      {
+        this->refuseValue(name, i / components, value, "finite numbers, not below ", lowest);
+      }
+      result.push_back(value);
+    }
+    return result;
+  }
+
+  /// Whole numbers lowest ... end - 1, all components of all tuples.
+  std::vector<Index> indices(
+    const char* name, vtkIdType count, Index lowest, Index end, int components = 1) const
+  {
+    vtkDataArray* array = this->find(name, count, components);
+    if (array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT)
+    {
+      refuse("the ", this->Kind, " array '", name, "' is of type ", array->GetDataTypeAsString(),
+        " but must hold whole numbers: ", this->Remedy);
+    }
+    std::vector<Index> result;
+    result.reserve(array->GetNumberOfValues());
+    for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+    {
+      const double value = array->GetComponent(i / components, static_cast<int>(i % components));
+      if (value < lowest || value >= end)
+      {
+        this->refuseValue(name, i / components, value, "numbers ", lowest, " ... ", end - 1);
+      }
+      result.push_back(static_cast<Index>(value));
+    }
+    return result;
+  }
+
+  template <std::size_t Size>
+  std::vector<std::array<Index, Size>> indexTuples(
+    const char* name, vtkIdType count, Index lowest, Index end) const
+  {
+    const std::vector<Index> flat =
+      this->indices(name, count, lowest, end, static_cast<int>(Size));
+    std::vector<std::array<Index, Size>> result(flat.size() / Size);
+    for (std::size_t i = 0; i < flat.size(); ++i)
+    {
+      result[i / Size][i % Size] = flat[i];
+    }
+    return result;
+  }
+
+  std::vector<char> flags(const char* name, vtkIdType count) const
+  {
+    const std::vector<Index> numbers = this->indices(name, count, 0, 2);
+    return std::vector<char>(numbers.begin(), numbers.end());
+  }
+
+  Betti betti(const char* name) const { return this->indexTuples<3>(name, 1, 0, Largest).front(); }
+
+  /// Lists of strictly ascending numbers 0 ... end - 1.
+  IndexLists lists(const char* offsets, const char* items, vtkIdType count, Index end) const
+  {
+    IndexLists result;
+    result.items = this->indices(items, AnyCount, 0, end);
+    const Index size = toIndex(static_cast<vtkIdType>(result.items.size()), "list entries");
+    result.offsets = this->indices(offsets, count + 1, 0, size + 1);
+    if (result.offsets.front() != 0 || result.offsets.back() != size ||
+      !std::is_sorted(result.offsets.begin(), result.offsets.end()))
+    {
+      refuse("the ", this->Kind, " array '", offsets, "' does not ascend from 0 to ", size,
+        ", the length of '", items, "': ", this->Remedy);
+    }
+    for (Index list = 0; list < result.size(); ++list)
+    {
+      this->checkAscending(items, list, result[list]);
+    }
+    return result;
+  }
+
+private:
+  vtkDataArray* find(const char* name, vtkIdType count, int components) const
+  {
+    vtkAbstractArray* found = this->Data->GetAbstractArray(name);
+    vtkDataArray* array = vtkDataArray::SafeDownCast(found);
+    if (!array)
+    {
+      refuse(found ? "no numbers in the " : "there is no ", this->Kind, " array '", name,
+        "': ", this->Remedy);
+    }
+    if (array->GetNumberOfComponents() != components)
+    {
+      refuse("the ", this->Kind, " array '", name, "' has ", array->GetNumberOfComponents(),
+        " components instead of ", components, ": ", this->Remedy);
+    }
+    if (count != AnyCount && array->GetNumberOfTuples() != count)
+    {
+      refuse("the ", this->Kind, " array '", name, "' has ", array->GetNumberOfTuples(),
+        " entries instead of ", count, ": ", this->Remedy);
+    }
+    return array;
+  }
+
+  void checkAscending(const char* items, Index number, IndexLists::View list) const
+  {
+    if (std::adjacent_find(list.begin(), list.end(), std::greater_equal<Index>()) != list.end())
+    {
+      refuse("list ", number, " in the ", this->Kind, " array '", items,
+        "' does not ascend: ", this->Remedy);
+    }
+  }
+
+  template <typename... Pieces>
+  [[noreturn]] void refuseValue(
+    const char* name, vtkIdType place, double value, const Pieces&... allowed) const
+  {
+    refuse("the ", this->Kind, " array '", name, "' has the value ", value, " at ", place, "; only ",
+      allowed..., " can be there: ", this->Remedy);
+  }
+
+  vtkFieldData* Data;
+  const char* Kind;
+  const char* Remedy;
+};
+
+constexpr const char* TakePolarBalls = "take the output of vtkPolarBalls as it is";
+constexpr const char* TakeMedialAxis = "take the output of vtkMedialAxis or a later filter as it is";
+constexpr const char* TakeParts = "take the output of vtkMedialPartDecomposition or vtkMedialPrune";
+
+std::vector<Point> readPoints(vtkPointSet* input)
+{
+  std::vector<Point> result(toIndex(input->GetNumberOfPoints(), "points"));
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    input->GetPoint(static_cast<vtkIdType>(i), result[i].data());
+  }
+  return result;
+}
+
+std::vector<Point> readFinitePoints(vtkPointSet* input, const char* remedy)
+{
+  std::vector<Point> result = readPoints(input);
+  const auto bad = std::find_if(
+    result.begin(), result.end(), [](const Point& point) { return !point.allFinite(); });
+  if (bad != result.end())
+  {
+    refuse("point ", bad - result.begin(), " has a coordinate that is not finite: ", remedy);
+  }
+  return result;
+}
+
+/// The corners of one cell, checked: `Size` different points.
+template <std::size_t Size>
+std::array<Index, Size> readCell(
+  vtkCellArray* cells, vtkIdType number, Index pointCount, const char* remedy)
+{
+  vtkIdType size = 0;
+  const vtkIdType* corners = nullptr;
+  cells->GetCellAtId(number, size, corners);
+  if (size != static_cast<vtkIdType>(Size))
+  {
+    refuse("a cell has ", size, " corners instead of ", Size, ": ", remedy);
+  }
+  std::array<Index, Size> result;
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    if (corners[i] < 0 || corners[i] >= pointCount)
+    {
+      refuse("a cell has the corner ", corners[i], " but there are ", pointCount, " points: ", remedy);
+    }
+    result[i] = static_cast<Index>(corners[i]);
+    if (std::find(result.begin(), result.begin() + i, result[i]) != result.begin() + i)
+    {
+      refuse("a cell has the point ", result[i], " twice: ", remedy);
+    }
+  }
+  return result;
+}
+
+template <std::size_t Size>
+std::vector<std::array<Index, Size>> readCells(
+  vtkCellArray* cells, Index pointCount, const char* remedy)
+{
+  std::vector<std::array<Index, Size>> result;
+  if (!cells || cells->GetNumberOfCells() == 0)
+  {
+    return result;
+  }
+  if (!cells->IsValid())
+  {
+    refuse("the offsets of the cells do not fit their corners: ", remedy);
+  }
+  result.reserve(toIndex(cells->GetNumberOfCells(), "cells"));
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    result.push_back(readCell<Size>(cells, i, pointCount, remedy));
+  }
+  return result;
+}
+
+std::vector<Tetrahedron> readTetrahedra(vtkUnstructuredGrid* input, Index pointCount)
+{
+  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
+  {
+    if (input->GetCellType(i) != VTK_TETRA)
+    {
+      refuse("cell ", i, " is no tetrahedron: ", TakePolarBalls);
+    }
+  }
+  return readCells<4>(input->GetCells(), pointCount, TakePolarBalls);
+}
+
+AxisCells readAxisCells(vtkPolyData* input, Index pointCount)
+{
+  if (input->GetNumberOfStrips() > 0)
+  {
+    refuse("the axis has triangle strips: ", TakeMedialAxis);
+  }
+  toIndex(input->GetNumberOfCells(), "cells");
+  AxisCells result;
+  for (const std::array<Index, 1>& vertex :
+    readCells<1>(input->GetVerts(), pointCount, TakeMedialAxis))
+  {
+    result.vertices.push_back(vertex[0]);
+  }
+  result.edges = readCells<2>(input->GetLines(), pointCount, TakeMedialAxis);
+  result.triangles = readCells<3>(input->GetPolys(), pointCount, TakeMedialAxis);
+  return result;
+}
+
+void addSamples(vtkFieldData* field, const PolarBalls& balls)
+{
+  field->AddArray(tuples<vtkDoubleArray>(names::Samples, 3, balls.samples));
+  add<vtkIdTypeArray>(field, names::DuplicateOf, balls.duplicateOf);
+  add<vtkIdTypeArray>(field, names::SampleInnerBall, balls.innerBall);
+  add<vtkIdTypeArray>(field, names::SampleOuterBall, balls.outerBall);
+  add<vtkDoubleArray>(field, names::SamplingQuality, balls.samplingQuality);
+  add<vtkIdTypeArray>(field, names::BallSampleOffsets, balls.ballSamples.offsets);
+  add<vtkIdTypeArray>(field, names::BallSamples, balls.ballSamples.items);
+}
+
+void addCounts(vtkFieldData* field, const PolarBalls& balls)
+{
+  const std::vector<Index>& duplicates = balls.duplicateOf;
+  const auto unique = std::count(duplicates.begin(), duplicates.end(), None);
+  const auto ballsOn = [&](Side side) {
+    return std::count(balls.sides.begin(), balls.sides.end(), side);
+  };
+  addOne<vtkIdTypeArray>(field, names::NumberOfSamples, count(balls.samples));
+  addOne<vtkIdTypeArray>(field, names::NumberOfDuplicates, count(duplicates) - unique);
+  addOne<vtkIdTypeArray>(field, names::NumberOfInnerBalls, ballsOn(Side::Inner));
+  addOne<vtkIdTypeArray>(field, names::NumberOfOuterBalls, ballsOn(Side::Outer));
+  addOne<vtkIdTypeArray>(field, names::NumberOfHiddenBalls, ballsOn(Side::Hidden));
+}
+
+Index offAxisBalls(const std::vector<Index>& ballOwner)
+{
+  Index result = 0;
+  for (Index ball = 0; ball < count(ballOwner); ++ball)
+  {
+    result += ballOwner[ball] != None && ballOwner[ball] != ball;
+  }
+  return result;
+}
+
+/// Field data that changes with the cells of the axis.
+void addTopology(vtkFieldData* field, const MedialAxis& axis)
+{
+  addBetti(field, names::BettiAxis, axis.betti);
+  addOne<vtkUnsignedCharArray>(field, names::Certificate, axis.certificate);
+}
+
+void addParts(vtkPolyData* axis, const MedialParts& parts)
+{
+  const auto ofPart = [&](auto member) {
+    return [&parts, member](Index part) { return parts.parts[part].*member; };
+  };
+  vtkCellData* cells = axis->GetCellData();
+  const std::vector<Index>& partOfCell = parts.partOfCell;
+  add<vtkIdTypeArray>(cells, names::PartId, partOfCell);
+  add<vtkIntArray>(cells, names::PartLevel, partOfCell, ofPart(&MedialPart::level));
+  add<vtkIdTypeArray>(cells, names::TriangleCount, partOfCell, ofPart(&MedialPart::triangles));
+  add<vtkDoubleArray>(
+    cells, names::RelativeVolume, partOfCell, ofPart(&MedialPart::relativeVolume));
+  addOne<vtkIdTypeArray>(axis->GetFieldData(), names::NumberOfParts, count(parts.parts));
+}
+
+void addPartTable(vtkFieldData* rows, const std::vector<MedialPart>& parts)
+{
+  std::vector<Index> numbers(parts.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  add<vtkIdTypeArray>(rows, names::PartId, numbers);
+  add<vtkIntArray>(rows, names::Dimension, parts, &MedialPart::dimension);
+  add<vtkIntArray>(rows, names::Level, parts, &MedialPart::level);
+  add<vtkIdTypeArray>(rows, names::Triangles, parts, &MedialPart::triangles);
+  add<vtkDoubleArray>(rows, names::Area, parts, &MedialPart::area);
+  add<vtkDoubleArray>(rows, names::Volume, parts, &MedialPart::volume);
+  add<vtkDoubleArray>(rows, names::RelativeVolume, parts, &MedialPart::relativeVolume);
+  add<vtkDoubleArray>(rows, names::MeanRadius, parts, &MedialPart::meanRadius);
+  add<vtkDoubleArray>(rows, names::MinimumRadius, parts, &MedialPart::minimumRadius);
+  add<vtkDoubleArray>(rows, names::MaximumRadius, parts, &MedialPart::maximumRadius);
+  add<vtkIdTypeArray>(rows, names::Contacts, parts, &MedialPart::contacts);
+  rows->AddArray(tuples<vtkDoubleArray>(names::Bounds, 6, parts, [](const MedialPart& part) {
+    const Point &from = part.lower, &to = part.upper;
+    return std::array{ from.x(), to.x(), from.y(), to.y(), from.z(), to.z() };
+  }));
+}
+
+/// A vertex for each contact of one point, a polyline for each other, with its number.
+void addContacts(const std::vector<ContactCurve>& contacts, vtkPolyData* output)
+{
+  std::vector<std::vector<Index>> vertices, lines;
+  std::vector<Index> numbers, lineNumbers;
+  IndexLists parts;
+  for (Index i = 0; i < count(contacts); ++i)
+  {
+    const ContactCurve& curve = contacts[i];
+    const bool isPoint = curve.points.size() == 1;
+    (isPoint ? vertices : lines).push_back(curve.points);
+    (isPoint ? numbers : lineNumbers).push_back(i);
+    parts.items.insert(parts.items.end(), curve.parts.begin(), curve.parts.end());
+    parts.close();
+  }
+  numbers.insert(numbers.end(), lineNumbers.begin(), lineNumbers.end());
+  output->SetVerts(cellArray(vertices));
+  output->SetLines(cellArray(lines));
+  add<vtkIdTypeArray>(output->GetCellData(), names::ContactId, numbers);
+  add<vtkIdTypeArray>(output->GetFieldData(), names::ContactPartOffsets, parts.offsets);
+  add<vtkIdTypeArray>(output->GetFieldData(), names::ContactParts, parts.items);
+}
+
+/// Those of `cells`, numbered from `first`, that are among `chosen`.
+vtkSmartPointer<vtkCellArray> chosenCells(
+  vtkCellArray* cells, vtkIdType first, const std::vector<Index>& chosen)
+{
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  for (const Index cell : chosen)
+  {
+    if (cell >= first && cell < first + cells->GetNumberOfCells())
+    {
+      vtkIdType size = 0;
+      const vtkIdType* corners = nullptr;
+      cells->GetCellAtId(cell - first, size, corners);
+      result->InsertNextCell(size, corners);
+    }
+  }
+  return result;
+}
+
+/// All points of an axis and the `chosen` cells, ascending, with their arrays.
+void copyCells(vtkPolyData* axis, const std::vector<Index>& chosen, vtkPolyData* output)
+{
+  output->SetPoints(axis->GetPoints());
+  output->GetPointData()->PassData(axis->GetPointData());
+  const vtkIdType firstLine = axis->GetNumberOfVerts();
+  const vtkIdType firstPoly = firstLine + axis->GetNumberOfLines();
+  output->SetVerts(chosenCells(axis->GetVerts(), 0, chosen));
+  output->SetLines(chosenCells(axis->GetLines(), firstLine, chosen));
+  output->SetPolys(chosenCells(axis->GetPolys(), firstPoly, chosen));
+  vtkCellData* cells = output->GetCellData();
+  cells->CopyAllOn();
+  cells->CopyAllocate(axis->GetCellData(), static_cast<vtkIdType>(chosen.size()));
+  for (vtkIdType i = 0; i < static_cast<vtkIdType>(chosen.size()); ++i)
+  {
+    cells->CopyData(axis->GetCellData(), chosen[i], i);
+  }
+}
+
+void addHistory(vtkFieldData* rows, const std::vector<PruneRow>& history)
+{
+  std::vector<Index> numbers(history.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  add<vtkIdTypeArray>(rows, names::Iteration, numbers);
+  add<vtkUnsignedCharArray>(rows, names::ByHand, history, &PruneRow::byHand);
+  add<vtkIntArray>(rows, names::Measure, history, &PruneRow::measure);
+  add<vtkDoubleArray>(rows, names::Threshold, history, &PruneRow::threshold);
+  add<vtkIntArray>(rows, names::Passes, history, &PruneRow::passes);
+  add<vtkIdTypeArray>(rows, names::PartsBefore, history, &PruneRow::partsBefore);
+  add<vtkIdTypeArray>(rows, names::PartsAfter, history, &PruneRow::partsAfter);
+  add<vtkIdTypeArray>(rows, names::Candidates, history, &PruneRow::candidates);
+  add<vtkIdTypeArray>(rows, names::Removed, history, &PruneRow::removed);
+  add<vtkIdTypeArray>(rows, names::Refused, history, &PruneRow::refused);
+  rows->AddArray(
+    tuples<vtkIdTypeArray>(names::Betti, 3, history, [](const PruneRow& row) { return row.betti; }));
+  add<vtkDoubleArray>(rows, names::VolumeRemoved, history, &PruneRow::volumeRemoved);
+}
+}
+
+std::vector<Point> readSamples(vtkPointSet* input)
+{
+  return readPoints(input);
+}
+
+void write(const PolarBalls& balls, const Betti& powerShape, vtkPointSet* input,
+  vtkUnstructuredGrid* output)
+{
+  output->SetPoints(points(balls.balls, [](const Ball& ball) { return ball.center; }));
+  output->SetCells(VTK_TETRA, cellArray(balls.cells));
+  vtkPointData* ballData = output->GetPointData();
+  add<vtkDoubleArray>(ballData, names::Radius, balls.balls, &Ball::radius);
+  add<vtkUnsignedCharArray>(ballData, names::Side, balls.sides);
+  add<vtkUnsignedCharArray>(ballData, names::TouchesGuard, balls.touchesGuard);
+  add<vtkDoubleArray>(ballData, names::Volume, balls.volumes);
+  vtkFieldData* field = output->GetFieldData();
+  field->PassData(input->GetFieldData());
+  addSamples(field, balls);
+  addCounts(field, balls);
+  addBetti(field, names::BettiPowerShape, powerShape);
+}
+
+PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
+{
+  const Arrays points(input->GetPointData(), "point", TakePolarBalls);
+  const Arrays field(input->GetFieldData(), "field", TakePolarBalls);
+  const Index ballCount = toIndex(input->GetNumberOfPoints(), "balls");
+  PolarBalls result;
+  const std::vector<double> radii = points.reals(names::Radius, ballCount, 0);
+  for (const Point& center : readFinitePoints(input, TakePolarBalls))
+  {
+    result.balls.push_back({ center, radii[result.balls.size()] });
+  }
+  for (const Index side : points.indices(names::Side, ballCount, 0, 3))
+  {
+    result.sides.push_back(static_cast<Side>(side));
+  }
+  result.touchesGuard = points.flags(names::TouchesGuard, ballCount);
+  result.volumes = points.reals(names::Volume, ballCount, 0);
+
+  const std::vector<double> samples =
+    field.reals(names::Samples, AnyCount, std::numeric_limits<double>::lowest(), 3);
+  for (std::size_t i = 0; i < samples.size(); i += 3)
+  {
+    result.samples.emplace_back(samples[i], samples[i + 1], samples[i + 2]);
+  }
+  const Index sampleCount = toIndex(static_cast<vtkIdType>(result.samples.size()), "samples");
+  result.duplicateOf = field.indices(names::DuplicateOf, sampleCount, None, sampleCount);
+  result.innerBall = field.indices(names::SampleInnerBall, sampleCount, None, ballCount);
+  result.outerBall = field.indices(names::SampleOuterBall, sampleCount, None, ballCount);
+  result.samplingQuality = field.reals(names::SamplingQuality, sampleCount);
+  result.ballSamples =
+    field.lists(names::BallSampleOffsets, names::BallSamples, ballCount, sampleCount);
+  result.cells = readTetrahedra(input, ballCount);
+  return result;
+}
+
+void write(const MedialAxis& axis, vtkUnstructuredGrid* balls, vtkPolyData* output)
+{
+  std::vector<std::array<Index, 1>> vertices;
+  for (const Index point : axis.cells.vertices)
+  {
+    vertices.push_back({ point });
+  }
+  output->SetPoints(points(axis.points));
+  output->SetVerts(cellArray(vertices));
+  output->SetLines(cellArray(axis.cells.edges));
+  output->SetPolys(cellArray(axis.cells.triangles));
+  vtkPointData* pointData = output->GetPointData();
+  add<vtkIdTypeArray>(pointData, names::BallId, axis.ballOfPoint);
+  add<vtkDoubleArray>(pointData, names::Radius, axis.radii);
+  add<vtkDoubleArray>(pointData, names::MaximumInscribedSphereRadius, axis.radii);
+  vtkCellData* cells = output->GetCellData();
+  add<vtkIdTypeArray>(cells, names::PolygonId, axis.polygonOfCell);
+  cells->AddArray(tuples<vtkIdTypeArray>(names::SiteSamples, 2, axis.samplesOfCell));
+  vtkFieldData* field = output->GetFieldData();
+  field->PassData(balls->GetFieldData());
+  add<vtkIdTypeArray>(field, names::BallOwner, axis.ballOwner);
+  add<vtkDoubleArray>(field, names::BallVolume, axis.ballVolumes);
+  addBetti(field, names::BettiPowerShape, axis.powerShapeBetti);
+  addTopology(field, axis);
+  addOne<vtkUnsignedCharArray>(field, names::Fallback, axis.fallback);
+  addOne<vtkDoubleArray>(field, names::Kappa, axis.kappa);
+  addOne<vtkIdTypeArray>(field, names::NumberOfOffAxisBalls, offAxisBalls(axis.ballOwner));
+}
+
+MedialAxis readMedialAxis(vtkPolyData* input)
+{
+  const Arrays points(input->GetPointData(), "point", TakeMedialAxis);
+  const Arrays cells(input->GetCellData(), "cell", TakeMedialAxis);
+  const Arrays field(input->GetFieldData(), "field", TakeMedialAxis);
+  const Index pointCount = toIndex(input->GetNumberOfPoints(), "points");
+  MedialAxis result;
+  result.ballOwner = field.indices(names::BallOwner, AnyCount, None, Largest);
+  const Index ballCount = count(result.ballOwner);
+  result.ballOwner = field.indices(names::BallOwner, ballCount, None, ballCount);
+  result.ballVolumes = field.reals(names::BallVolume, ballCount, 0);
+  result.points = readFinitePoints(input, TakeMedialAxis);
+  result.radii = points.reals(names::Radius, pointCount, 0);
+  result.ballOfPoint = points.indices(names::BallId, pointCount, None, ballCount);
+  result.cells = readAxisCells(input, pointCount);
+  const Index cellCount = result.cells.size();
+  result.polygonOfCell = cells.indices(names::PolygonId, cellCount, None, Largest);
+  result.samplesOfCell = cells.indexTuples<2>(names::SiteSamples, cellCount, None, Largest);
+  result.powerShapeBetti = field.betti(names::BettiPowerShape);
+  result.betti = field.betti(names::BettiAxis);
+  result.certificate = field.flags(names::Certificate, 1).front() != 0;
+  result.fallback = field.flags(names::Fallback, 1).front() != 0;
+  result.kappa = field.reals(names::Kappa, 1).front();
+  return result;
+}
+
+void write(const MedialParts& parts, vtkPolyData* axis, vtkPolyData* output, vtkTable* table,
+  vtkPolyData* contacts)
+{
+  output->ShallowCopy(axis);
+  addParts(output, parts);
+  addPartTable(table->GetRowData(), parts.parts);
+  contacts->SetPoints(axis->GetPoints());
+  contacts->GetPointData()->PassData(axis->GetPointData());
+  addContacts(parts.contacts, contacts);
+}
+
+std::vector<Index> readParts(vtkPolyData* axis)
+{
+  const Arrays cells(axis->GetCellData(), "cell", TakeParts);
+  const Index cellCount = toIndex(axis->GetNumberOfCells(), "cells");
+  return cells.has(names::PartId) ? cells.indices(names::PartId, cellCount, 0, cellCount)
+                                  : std::vector<Index>();
+}
+
+std::vector<Index> readCells(vtkPolyData* axis, const std::vector<vtkIdType>& parts,
+  const std::vector<vtkIdType>& cells)
+{
+  const vtkIdType cellCount = axis->GetNumberOfCells();
+  std::vector<Index> result;
+  for (const vtkIdType cell : cells)
+  {
+    if (cell < 0 || cell >= cellCount)
+    {
+      refuse("cell ", cell, " can't be removed: the input has the cells 0 ... ", cellCount - 1);
+    }
+    result.push_back(static_cast<Index>(cell));
+  }
+  if (parts.empty())
+  {
+    return result;
+  }
+  const std::vector<Index> partOfCell = readParts(axis);
+  if (partOfCell.empty())
+  {
+    refuse("parts can't be removed without the cell array '", names::PartId, "': ", TakeParts);
+  }
+  std::set<vtkIdType> missing(parts.begin(), parts.end());
+  const std::set<vtkIdType> chosen = missing;
+  for (Index cell = 0; cell < count(partOfCell); ++cell)
+  {
+    if (chosen.count(partOfCell[cell]))
+    {
+      missing.erase(partOfCell[cell]);
+      result.push_back(cell);
+    }
+  }
+  if (!missing.empty())
+  {
+    refuse("part ", *missing.begin(), " can't be removed: the cell array '", names::PartId,
+      "' of the input has no such part");
+  }
+  return result;
+}
+
+void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTable* history,
+  vtkPolyData* removed)
+{
+  copyCells(axis, pruned.inputCell, output);
+  output->GetFieldData()->PassData(axis->GetFieldData());
+  addParts(output, pruned.parts);
+  addTopology(output->GetFieldData(), pruned.axis);
+  add<vtkUnsignedCharArray>(output->GetCellData(), names::KeepReason, pruned.parts.partOfCell,
+    [&](Index part) { return pruned.keepReason[part]; });
+  addHistory(history->GetRowData(), pruned.history);
+
+  std::vector<Index> cells;
+  for (Index cell = 0; cell < count(pruned.removedInIteration); ++cell)
+  {
+    if (pruned.removedInIteration[cell] != None)
+    {
+      cells.push_back(cell);
+    }
+  }
+  copyCells(axis, cells, removed);
+  add<vtkIdTypeArray>(removed->GetCellData(), names::Iteration, cells,
+    [&](Index cell) { return pruned.removedInIteration[cell]; });
+  add<vtkIdTypeArray>(removed->GetCellData(), names::PartId, cells,
+    [&](Index cell) { return pruned.removedPart[cell]; });
+}
+
+void checkSameBalls(const MedialAxis& axis, const PolarBalls& balls)
+{
+  if (axis.ballOwner.size() != balls.balls.size())
+  {
+    refuse("the axis was made from ", axis.ballOwner.size(), " balls, but there are ",
+      balls.balls.size(), ": take the axis that vtkMedialAxis or vtkMedialPrune made from these");
+  }
+}
+
+void write(const Crust& crust, const std::vector<Index>& partOfBall, vtkUnstructuredGrid* balls,
+  vtkPolyData* output)
+{
+  output->SetPoints(points(crust.points));
+  output->SetPolys(cellArray(crust.faces));
+  add<vtkIdTypeArray>(output->GetPointData(), names::SampleId, crust.sampleOfPoint);
+  vtkCellData* cells = output->GetCellData();
+  add<vtkIdTypeArray>(cells, names::InnerBall, crust.innerBall);
+  add<vtkIdTypeArray>(cells, names::OuterBall, crust.outerBall);
+  add<vtkIdTypeArray>(cells, names::PartId, crust.innerBall,
+    [&](Index ball) { return partOfBall.empty() ? None : partOfBall[ball]; });
+  vtkFieldData* field = output->GetFieldData();
+  field->PassData(balls->GetFieldData());
+  addBetti(field, names::BettiCrust, crust.betti);
+  addOne<vtkUnsignedCharArray>(field, names::Closed, crust.closed);
+  addOne<vtkUnsignedCharArray>(field, names::Manifold, crust.manifold);
+  addOne<vtkDoubleArray>(field, names::Volume, crust.volume);
+  addOne<vtkIdTypeArray>(field, names::InsertedBalls, crust.insertedBalls);
+  addOne<vtkIdTypeArray>(field, names::Rounds, crust.rounds);
+  addOne<vtkDoubleArray>(field, names::MaximumClearance, crust.maximumClearance);
+}
+
+void print(std::ostream& stream, const std::vector<PruneIteration>& schedule)
+{
+  for (const PruneIteration& iteration : schedule)
+  {
+    stream << (iteration.measure == Measure::TriangleCount ? "triangle count" : "relative volume")
+           << " <= " << iteration.threshold << ", passes: " << iteration.passes << "
+";
+  }
+}
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ReportErrors_h
+#define ReportErrors_h
+
+#include "Errors.h"
+#include "Execution.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkSMPTools.h"
+#include "vtkSetGet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVersion.h"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+
+/// What a filter has to tell the pipeline around its one call of the core: pieces, progress, abort,
+/// threads, errors.
+namespace medial
+{
+/// Asks every input for all of it as one piece: no stage can work on a part of the object.
+inline int requestWholeInputs(vtkAlgorithm* filter, vtkInformationVector** inputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* input = inputs[port]->GetInformationObject(i);
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+  return 1;
+}
+
+/// Is the piece asked for the first, which holds everything? The others are empty.
+inline bool isFirstPiece(vtkInformation* request, vtkInformationVector* outputs)
+{
+  const int port = request->Has(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT())
+    ? std::max(0, request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT()))
+    : 0;
+  vtkInformation* output = outputs->GetInformationObject(port);
+  return !output || !output->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) ||
+    output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) == 0;
+}
+
+inline void emptyOutputs(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+}
+
+inline bool stopRequested(vtkAlgorithm* filter)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220101)
+  return filter->CheckAbort();
+#else
+  return filter->GetAbortExecute() != 0;
+#endif
+}
+
+/// Has a filter before this one been stopped, so that there is no input to work on?
+inline bool inputStopped(vtkAlgorithm* filter)
+{
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      if (filter->GetInputAlgorithm(port, i)->GetAbortExecute())
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// vtkSMPTools::For with the first exception of any thread thrown again on the calling thread.
+inline void parallelFor(Index count, const Execution::Range& body)
+{
+  std::mutex mutex;
+  std::exception_ptr error;
+  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    try
+    {
+      body(static_cast<Index>(begin), static_cast<Index>(end));
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      error = std::current_exception();
+    }
+  });
+  if (error)
+  {
+    std::rethrow_exception(error);
+  }
+}
+
+/// The core's view of `filter`: it reports progress to it and lets it stop the work.
+inline Execution execution(vtkAlgorithm* filter)
+{
+  Execution result;
+  result.progress = [filter](double done) {
+    filter->UpdateProgress(done);
+    return !stopRequested(filter);
+  };
+  result.parallelFor = parallelFor;
+  return result;
+}
+
+/// Runs body(execution) and turns what it throws into a VTK error and empty outputs; the value is
+/// that of RequestData. Work that was stopped has empty outputs too, but is no error.
+template <typename Body>
+int reportErrors(
+  vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector* outputs, const Body& body)
+{
+  filter->SetErrorCode(vtkErrorCode::NoError);
+  emptyOutputs(outputs);
+  try
+  {
+    if (inputStopped(filter))
+    {
+      filter->SetAbortExecute(1); // for the filters after this one
+    }
+    else if (isFirstPiece(request, outputs))
+    {
+      body(execution(filter));
+    }
+    return 1;
+  }
+  catch (const Aborted&)
+  {
+    emptyOutputs(outputs);
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    emptyOutputs(outputs);
+    filter->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorWithObjectMacro(filter, << error.what());
+    return 0;
+  }
+}
+}
+
+#endif

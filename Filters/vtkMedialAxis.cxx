@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMedialAxis.h"
+
+#include "Conversion.h"
+#include "ReportErrors.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+static_assert(vtkMedialAxis::COLLAPSE == static_cast<int>(medial::AxisFallback::Collapse) &&
+    vtkMedialAxis::NEAREST == static_cast<int>(medial::AxisFallback::Nearest),
+  "the property Fallback is cast to the core's enum");
+
+vtkStandardNewMacro(vtkMedialAxis);
+
+int vtkMedialAxis::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+int vtkMedialAxis::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  return medial::requestWholeInputs(this, inputVector);
+}
+
+int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* balls = vtkUnstructuredGrid::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  return medial::reportErrors(
+    this, request, outputVector, [&](const medial::Execution& execution) {
+      const medial::AxisOptions options{ static_cast<medial::AxisFallback>(this->Fallback) };
+      medial::write(
+        medial::medialAxis(medial::readPolarBalls(balls), options, execution), balls, output);
+    });
+}
+
+void vtkMedialAxis::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Fallback: " << (this->Fallback == COLLAPSE ? "COLLAPSE" : "NEAREST") << "\n";
+}

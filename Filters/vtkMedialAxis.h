@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkMedialAxis
+ * @brief   the surface of the centres of a solid's maximal balls
+ *
+ * Second filter of the medial axis pipeline.
+ *
+ * Input: vtkUnstructuredGrid, the output of vtkPolarBalls.
+ *
+ * Output: vtkPolyData. A point is the centre of a maximal ball. Cells are the triangles of the
+ * axis, lines where it is a curve ("dangling edges"), and vertices where it is a point; numbered
+ * vertices, lines, triangles. No two points lie at the same place and every edge is shared, so there
+ * are no cracks.
+ *
+ * Point data
+ *  - `BallId` (vtkIdType): the ball centred there, a point of the input; or -1.
+ *  - `Radius`, `MaximumInscribedSphereRadius` (double, > 0): of the maximal ball, unit of the
+ *    samples. The same values twice; other tools know the second name.
+ *
+ * Cell data
+ *  - `PolygonId` (vtkIdType): triangles of one face have the same; -1 for lines and vertices.
+ *  - `SiteSamples` (vtkIdType, 2 components): the two samples that the cell is equally far from; -1
+ *    where such a point is no sample.
+ *
+ * Field data, one entry for each ball (point of the input)
+ *  - `BallOwner` (vtkIdType): itself where it is on the axis; for an inner ball off the axis the ball
+ *    on the axis whose fate it shares; else -1.
+ *  - `BallVolume` (double): `Volume` of the input.
+ *
+ * Field data, single values
+ *  - `BettiPowerShape`, `BettiAxis` (vtkIdType, 3 components): pieces, tunnels and voids of the
+ *    power shape and of the axis, each computed from its own cells.
+ *  - `Certificate` (unsigned char): 1 where the two are equal.
+ *  - `Fallback` (unsigned char): 1 where the axis was made by collapse of the power shape.
+ *  - `Kappa` (double): which Voronoi vertices were candidates, see README.md; -1 with the fallback.
+ *  - `NumberOfOffAxisBalls` (vtkIdType): inner balls that are not on the axis.
+ *
+ * The field data of the input is passed on. An error (an array that is missing or does not fit, no
+ * inner balls) leaves the output empty and sets the error code. Under MPI the piece 0 holds
+ * everything.
+ *
+ * See R. Tam, W. Heidrich, "Shape simplification based on the medial axis transform", IEEE
+ * Visualization 2003, sections 2.1 and 3.
+ *
+ * @sa vtkPolarBalls vtkMedialPartDecomposition
+ */
+
+#ifndef vtkMedialAxis_h
+#define vtkMedialAxis_h
+
+#include "vtkFiltersMedialModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSMEDIAL_EXPORT vtkMedialAxis : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkMedialAxis* New();
+  vtkTypeMacro(vtkMedialAxis, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum FallbackMode
+  {
+    COLLAPSE = 0,
+    NEAREST = 1
+  };
+
+  ///@{
+  /**
+   * What to do where the axis does not have the topology of the power shape: collapse the power
+   * shape, which has exactly its topology but rougher sheets (COLLAPSE, the default), or keep the
+   * axis that comes nearest (NEAREST), which `Certificate` then tells.
+   */
+  vtkSetClampMacro(Fallback, int, COLLAPSE, NEAREST);
+  vtkGetMacro(Fallback, int);
+  void SetFallbackToCollapse() { this->SetFallback(COLLAPSE); }
+  void SetFallbackToNearest() { this->SetFallback(NEAREST); }
+  ///@}
+
+protected:
+  vtkMedialAxis() = default;
+  ~vtkMedialAxis() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkMedialAxis(const vtkMedialAxis&) = delete;
+  void operator=(const vtkMedialAxis&) = delete;
+
+  int Fallback = COLLAPSE;
+};
+
+#endif

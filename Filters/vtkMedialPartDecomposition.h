@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkMedialPartDecomposition
+ * @brief   the parts of a medial axis, their levels, and the curves where they touch
+ *
+ * Third filter of the medial axis pipeline. A part is a connected group of triangles, grown over
+ * edges with exactly two triangles; or a chain of lines; or a vertex. Parts are numbered by their
+ * lowest triangle, then lines, then vertices.
+ *
+ * Input: vtkPolyData, the output of vtkMedialAxis or vtkMedialPrune.
+ *
+ * Output 0: vtkPolyData, the input with more arrays.
+ *
+ * Cell data
+ *  - `PartId` (vtkIdType, >= 0): the cell's part.
+ *  - `PartLevel` (int): of its part. 1 at the border of the axis, one more for each step inwards; 0
+ *    for closed sheets that no border reaches, and above MaximumLevel.
+ *  - `TriangleCount` (vtkIdType): of its part.
+ *  - `RelativeVolume` (double, 0 ... 1): the share of its part in the solid's volume.
+ *
+ * Field data: `NumberOfParts` (vtkIdType, 1 value).
+ *
+ * Output 1: vtkTable, one row for each part: `PartId`, `Triangles`, `Contacts` (number of contact
+ * curves; vtkIdType), `Dimension` (int; 2 triangles, 1 lines, 0 a vertex), `Level` (int), `Area`,
+ * `Volume`, `RelativeVolume` (they sum to 1), `MeanRadius`, `MinimumRadius`, `MaximumRadius` (over
+ * its points), `Bounds` (6 components: x, y, z from, to each) (double).
+ *
+ * Output 2: vtkPolyData, the contact curves on the points of the axis: a polyline for each curve,
+ * a vertex for a contact in one point. Cell data `ContactId` (vtkIdType). Field data: the parts that
+ * touch along curve i, ascending, are `ContactParts`[`ContactPartOffsets`[i]] ...
+ * `ContactParts`[`ContactPartOffsets`[i + 1] - 1] (vtkIdType).
+ *
+ * The field data of the input is passed on to output 0. An error (an array that is missing or does
+ * not fit) leaves the outputs empty and sets the error code. Under MPI the piece 0 holds everything.
+ *
+ * See R. Tam, W. Heidrich, "Shape simplification based on the medial axis transform", IEEE
+ * Visualization 2003, sections 4.1 to 4.3.
+ *
+ * @sa vtkMedialAxis vtkMedialPrune
+ */
+
+#ifndef vtkMedialPartDecomposition_h
+#define vtkMedialPartDecomposition_h
+
+#include "vtkFiltersMedialModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSMEDIAL_EXPORT vtkMedialPartDecomposition : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkMedialPartDecomposition* New();
+  vtkTypeMacro(vtkMedialPartDecomposition, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Parts farther from the border than this get level 0. 0, the default: no limit.
+   */
+  vtkSetClampMacro(MaximumLevel, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumLevel, int);
+  ///@}
+
+protected:
+  vtkMedialPartDecomposition();
+  ~vtkMedialPartDecomposition() override = default;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkMedialPartDecomposition(const vtkMedialPartDecomposition&) = delete;
+  void operator=(const vtkMedialPartDecomposition&) = delete;
+
+  int MaximumLevel = 0;
+};
+
+#endif

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMedialPrune.h"
+
+#include "Conversion.h"
+#include "ReportErrors.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <vector>
+
+static_assert(
+  vtkMedialPrune::TRIANGLE_COUNT == static_cast<int>(medial::Measure::TriangleCount) &&
+    vtkMedialPrune::RELATIVE_VOLUME == static_cast<int>(medial::Measure::RelativeVolume) &&
+    vtkMedialPrune::COLLAPSE == static_cast<int>(medial::Topology::Collapse) &&
+    vtkMedialPrune::NONE == static_cast<int>(medial::Topology::None),
+  "measures and the property Topology are cast to the core's enums");
+
+struct vtkMedialPrune::vtkLists
+{
+  std::vector<medial::PruneIteration> Schedule;
+  std::vector<vtkIdType> PartsToRemove;
+  std::vector<vtkIdType> CellsToRemove;
+
+  medial::PruneIteration Iteration(int number) const
+  {
+    const bool exists = number >= 0 && number < static_cast<int>(this->Schedule.size());
+    return exists ? this->Schedule[number] : medial::PruneIteration{ {}, 0, 0 };
+  }
+};
+
+vtkStandardNewMacro(vtkMedialPrune);
+
+vtkMedialPrune::vtkMedialPrune()
+  : Lists(new vtkLists)
+{
+  this->SetNumberOfOutputPorts(3);
+  this->AddIteration(TRIANGLE_COUNT, 5);
+  this->AddIteration(TRIANGLE_COUNT, 5);
+  this->AddIteration(RELATIVE_VOLUME, 0.01);
+}
+
+vtkMedialPrune::~vtkMedialPrune() = default;
+
+void vtkMedialPrune::ClearIterations()
+{
+  this->Lists->Schedule.clear();
+  this->Modified();
+}
+
+void vtkMedialPrune::AddIteration(int measure, double threshold, int passes)
+{
+  if (measure != TRIANGLE_COUNT && measure != RELATIVE_VOLUME)
+  {
+    vtkErrorMacro("AddIteration: there is no measure " << measure << "; use TRIANGLE_COUNT ("
+                                                       << TRIANGLE_COUNT << ") or RELATIVE_VOLUME ("
+                                                       << RELATIVE_VOLUME << ")");
+    return;
+  }
+  this->Lists->Schedule.push_back(
+    { static_cast<medial::Measure>(measure), threshold, std::max(0, passes) });
+  this->Modified();
+}
+
+int vtkMedialPrune::GetNumberOfIterations() const
+{
+  return static_cast<int>(this->Lists->Schedule.size());
+}
+
+int vtkMedialPrune::GetIterationMeasure(int iteration) const
+{
+  return static_cast<int>(this->Lists->Iteration(iteration).measure);
+}
+
+double vtkMedialPrune::GetIterationThreshold(int iteration) const
+{
+  return this->Lists->Iteration(iteration).threshold;
+}
+
+int vtkMedialPrune::GetIterationPasses(int iteration) const
+{
+  return this->Lists->Iteration(iteration).passes;
+}
+
+void vtkMedialPrune::ClearPartsToRemove()
+{
+  this->Lists->PartsToRemove.clear();
+  this->Modified();
+}
+
+void vtkMedialPrune::AddPartToRemove(vtkIdType part)
+{
+  this->Lists->PartsToRemove.push_back(part);
+  this->Modified();
+}
+
+vtkIdType vtkMedialPrune::GetNumberOfPartsToRemove() const
+{
+  return static_cast<vtkIdType>(this->Lists->PartsToRemove.size());
+}
+
+void vtkMedialPrune::ClearCellsToRemove()
+{
+  this->Lists->CellsToRemove.clear();
+  this->Modified();
+}
+
+void vtkMedialPrune::AddCellToRemove(vtkIdType cell)
+{
+  this->Lists->CellsToRemove.push_back(cell);
+  this->Modified();
+}
+
+vtkIdType vtkMedialPrune::GetNumberOfCellsToRemove() const
+{
+  return static_cast<vtkIdType>(this->Lists->CellsToRemove.size());
+}
+
+int vtkMedialPrune::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+int vtkMedialPrune::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  return medial::requestWholeInputs(this, inputVector);
+}
+
+int vtkMedialPrune::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkPolyData* axis = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkTable* history = vtkTable::GetData(outputVector, 1);
+  vtkPolyData* removed = vtkPolyData::GetData(outputVector, 2);
+  return medial::reportErrors(
+    this, request, outputVector, [&](const medial::Execution& execution) {
+      const medial::PruneOptions options{ this->Lists->Schedule,
+        static_cast<medial::Topology>(this->Topology), this->RemoveHair, this->RemoveBranches,
+        medial::readCells(axis, this->Lists->PartsToRemove, this->Lists->CellsToRemove) };
+      medial::write(medial::prune(medial::readMedialAxis(axis), options, execution), axis, output,
+        history, removed);
+    });
+}
+
+void vtkMedialPrune::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Schedule: " << this->GetNumberOfIterations() << " iterations
+";
+  medial::print(os, this->Lists->Schedule);
+  os << indent << "Topology: " << (this->Topology == COLLAPSE ? "COLLAPSE" : "NONE") << "
+";
+  os << indent << "RemoveHair: " << (this->RemoveHair ? "on" : "off") << "
+";
+  os << indent << "RemoveBranches: " << (this->RemoveBranches ? "on" : "off") << "
+";
+  os << indent << "PartsToRemove: " << this->GetNumberOfPartsToRemove() << "
+";
+  os << indent << "CellsToRemove: " << this->GetNumberOfCellsToRemove() << "
+";
+}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkMedialPrune
+ * @brief   removes the insignificant parts of a medial axis
+ *
+ * Fourth filter of the medial axis pipeline. It works through a schedule of iterations. Each cuts
+ * the axis into parts and removes the parts of level 1 whose significance is at most a threshold,
+ * least significant first. By default the removal never changes the Betti numbers: a part may go if
+ * and only if it collapses, by free faces, onto its contact with the rest.
+ *
+ * Input: vtkPolyData, the output of vtkMedialAxis, vtkMedialPartDecomposition or vtkMedialPrune.
+ *
+ * Output 0: vtkPolyData, the living cells on all points of the input: ids of points stay. Arrays of
+ * the input are passed on; `PartId`, `PartLevel`, `TriangleCount`, `RelativeVolume` (cells),
+ * `NumberOfParts`, `BettiAxis`, `Certificate` (field data) are those of the living cells, see
+ * vtkMedialPartDecomposition and vtkMedialAxis. New cell data
+ *  - `KeepReason` (unsigned char): why the cell's part is still there. 0 its significance is above
+ *    the last threshold, 1 topology, 2 not of level 1, 3 a whole component of the axis.
+ *
+ * Output 1: vtkTable, one row for each iteration, and one more where something was removed by hand:
+ * `Iteration` (vtkIdType, from 0), `ByHand` (unsigned char), `Measure` (int; 0 triangle count, 1
+ * relative volume), `Threshold` (double), `Passes` (int; made), `PartsBefore`, `PartsAfter`,
+ * `Candidates` (parts of level 1 with at most the threshold), `Removed` (parts), `Refused` (candidates
+ * that topology kept; vtkIdType), `Betti` (vtkIdType, 3 components; of the axis after it),
+ * `VolumeRemoved` (double, relative).
+ *
+ * Output 2: vtkPolyData, the removed cells on the same points, with their arrays from the input and
+ *  - `Iteration` (vtkIdType): the row of the history.
+ *  - `PartId` (vtkIdType): their part in that iteration.
+ *
+ * An error (an array that is missing or does not fit; a negative threshold; a part or cell to remove
+ * that isn't there) leaves the outputs empty and sets the error code. Under MPI the piece 0 holds
+ * everything.
+ *
+ * See R. Tam, W. Heidrich, "Shape simplification based on the medial axis transform", IEEE
+ * Visualization 2003, sections 4.2, 4.3 and 6.
+ *
+ * @sa vtkMedialPartDecomposition vtkPowerCrust
+ */
+
+#ifndef vtkMedialPrune_h
+#define vtkMedialPrune_h
+
+#include "vtkFiltersMedialModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+
+class VTKFILTERSMEDIAL_EXPORT vtkMedialPrune : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkMedialPrune* New();
+  vtkTypeMacro(vtkMedialPrune, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum MeasureType
+  {
+    TRIANGLE_COUNT = 0,
+    RELATIVE_VOLUME = 1
+  };
+
+  ///@{
+  /**
+   * The schedule. An iteration removes parts whose measure (TRIANGLE_COUNT, or RELATIVE_VOLUME
+   * between 0 and 1) is at most the threshold, and repeats that `passes` times, or until nothing
+   * changes where passes is 0. Default: twice TRIANGLE_COUNT up to 5, then RELATIVE_VOLUME up to
+   * 0.01 (t5 t5 v1%), passes 0. Clear it before adding your own iterations.
+   */
+  void ClearIterations();
+  void AddIteration(int measure, double threshold, int passes = 0);
+  int GetNumberOfIterations() const;
+  ///@}
+
+  ///@{
+  /**
+   * One iteration of the schedule, 0 ... GetNumberOfIterations() - 1; 0 where there is none.
+   */
+  int GetIterationMeasure(int iteration) const;
+  double GetIterationThreshold(int iteration) const;
+  int GetIterationPasses(int iteration) const;
+  ///@}
+
+  enum TopologyMode
+  {
+    COLLAPSE = 0,
+    NONE = 1
+  };
+
+  ///@{
+  /**
+   * Which removals are allowed: those that keep the Betti numbers (COLLAPSE, the default) or that
+   * of every part of level 1 (NONE).
+   */
+  vtkSetClampMacro(Topology, int, COLLAPSE, NONE);
+  vtkGetMacro(Topology, int);
+  void SetTopologyToCollapse() { this->SetTopology(COLLAPSE); }
+  void SetTopologyToNone() { this->SetTopology(NONE); }
+  ///@}
+
+  ///@{
+  /**
+   * Remove lines with a free end first. Default on.
+   */
+  vtkSetMacro(RemoveHair, bool);
+  vtkGetMacro(RemoveHair, bool);
+  vtkBooleanMacro(RemoveHair, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Remove a part together with a smaller rest that it alone connects, where their summed
+   * significance is at most the threshold. Default on.
+   */
+  vtkSetMacro(RemoveBranches, bool);
+  vtkGetMacro(RemoveBranches, bool);
+  vtkBooleanMacro(RemoveBranches, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Parts to remove after the schedule, however significant: numbers in the array `PartId` of the
+   * input. Every part then living that holds a cell of theirs goes, where topology lets it. Default:
+   * none.
+   */
+  void ClearPartsToRemove();
+  void AddPartToRemove(vtkIdType part);
+  vtkIdType GetNumberOfPartsToRemove() const;
+  ///@}
+
+  ///@{
+  /**
+   * The same by cells of the input. Default: none.
+   */
+  void ClearCellsToRemove();
+  void AddCellToRemove(vtkIdType cell);
+  vtkIdType GetNumberOfCellsToRemove() const;
+  ///@}
+
+protected:
+  vtkMedialPrune();
+  ~vtkMedialPrune() override;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkMedialPrune(const vtkMedialPrune&) = delete;
+  void operator=(const vtkMedialPrune&) = delete;
+
+  struct vtkLists;
+  std::unique_ptr<vtkLists> Lists;
+  int Topology = COLLAPSE;
+  bool RemoveHair = true;
+  bool RemoveBranches = true;
+};
+
+#endif

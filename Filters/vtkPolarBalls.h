@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPolarBalls
+ * @brief   balls inside and outside a solid that is given by points of its boundary
+ *
+ * First filter of the medial axis pipeline. A polar ball is centred at a pole, a farthest Voronoi
+ * vertex of a sample's cell; one ball stands for all Delaunay cells with the same circumsphere.
+ *
+ * Input: any vtkPointSet. Its points are the samples; its cells are ignored. Lengths are in the
+ * unit of the samples, volumes in its cube. Repeated points count once.
+ *
+ * Output: vtkUnstructuredGrid. A point is the centre of a ball, a cell a tetrahedron of the regular
+ * triangulation of the balls with their squared radii as weights. This one object is the dual of
+ * the power diagram: its cells with four inner corners are the power shape.
+ *
+ * Point data
+ *  - `Radius` (double, > 0): of the ball.
+ *  - `Side` (unsigned char): 0 outer, 1 inner, 2 hidden (it has no cell in the power diagram).
+ *  - `TouchesGuard` (unsigned char, 0 or 1): it passes through a corner of the cube around the samples.
+ *  - `Volume` (double): of the Delaunay cells it stands for; 0 where it is not inner.
+ *
+ * Field data, one entry for each sample, in the order of the input
+ *  - `Samples` (double, 3 components): where it is.
+ *  - `DuplicateOf` (vtkIdType): the first sample at the very same place, or -1.
+ *  - `SampleInnerBall`, `SampleOuterBall` (vtkIdType): its ball inside and outside, or -1.
+ *  - `SamplingQuality` (double, -1 ... 1): -cos of the angle at which it sees its two poles. 1 is
+ *    best; 0 and less: an edge of the solid, or too few samples.
+ *
+ * Field data, lists: the samples on ball i, ascending, are `BallSamples`[`BallSampleOffsets`[i]] ...
+ * `BallSamples`[`BallSampleOffsets`[i + 1] - 1] (vtkIdType).
+ *
+ * Field data, single values
+ *  - `NumberOfSamples`, `NumberOfDuplicates`, `NumberOfInnerBalls`, `NumberOfOuterBalls`,
+ *    `NumberOfHiddenBalls` (vtkIdType).
+ *  - `BettiPowerShape` (vtkIdType, 3 components): pieces, tunnels and voids of the power shape,
+ *    which are those of the solid.
+ *
+ * The field data of the input is passed on. An error (fewer than 4 distinct points, all on a line
+ * or in a plane, a coordinate that is not finite) leaves the output empty and sets the error code.
+ * Under MPI the piece 0 holds everything.
+ *
+ * See R. Tam, W. Heidrich, "Shape simplification based on the medial axis transform", IEEE
+ * Visualization 2003, section 2; N. Amenta, S. Choi, R. Kolluri, "The power crust", 2001.
+ *
+ * @sa vtkMedialAxis vtkPowerCrust
+ */
+
+#ifndef vtkPolarBalls_h
+#define vtkPolarBalls_h
+
+#include "vtkFiltersMedialModule.h" // for export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class VTKFILTERSMEDIAL_EXPORT vtkPolarBalls : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkPolarBalls* New();
+  vtkTypeMacro(vtkPolarBalls, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkPolarBalls() = default;
+  ~vtkPolarBalls() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkPolarBalls(const vtkPolarBalls&) = delete;
+  void operator=(const vtkPolarBalls&) = delete;
+};
+
+#endif

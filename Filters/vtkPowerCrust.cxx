@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPowerCrust.h"
+
+#include "Conversion.h"
+#include "ReportErrors.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <vector>
+
+static_assert(vtkPowerCrust::CLEARANCE == static_cast<int>(medial::CrustRule::Clearance) &&
+    vtkPowerCrust::INNER_ONLY == static_cast<int>(medial::CrustRule::InnerOnly) &&
+    vtkPowerCrust::INNER_AND_OUTER == static_cast<int>(medial::CrustRule::InnerAndOuter),
+  "the property Rule is cast to the core's enum");
+
+namespace
+{
+/// Which balls are kept and the part that each counts for. Both empty, for all inner balls and no
+/// parts, where there is no axis.
+struct KeptBalls
+{
+  std::vector<char> Flags;
+  std::vector<medial::Index> Parts;
+
+  KeptBalls(vtkPolyData* axisData, const medial::PolarBalls& balls)
+  {
+    if (!axisData)
+    {
+      return;
+    }
+    const medial::MedialAxis axis = medial::readMedialAxis(axisData);
+    const std::vector<medial::Index> parts = medial::readParts(axisData);
+    medial::checkSameBalls(axis, balls);
+    this->Flags = medial::keptBalls(axis);
+    if (!parts.empty())
+    {
+      this->Parts = medial::partOfBall(axis, parts);
+    }
+  }
+};
+}
+
+vtkStandardNewMacro(vtkPowerCrust);
+
+vtkPowerCrust::vtkPowerCrust()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+int vtkPowerCrust::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
+int vtkPowerCrust::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  return medial::requestWholeInputs(this, inputVector);
+}
+
+int vtkPowerCrust::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  vtkPolyData* axis = vtkPolyData::GetData(inputVector[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  return medial::reportErrors(
+    this, request, outputVector, [&](const medial::Execution& execution) {
+      const medial::PolarBalls balls = medial::readPolarBalls(input);
+      const KeptBalls kept(axis, balls);
+      const medial::CrustOptions options{ static_cast<medial::CrustRule>(this->Rule),
+        this->Clearance, this->MaximumRounds };
+      medial::write(
+        medial::powerCrust(balls, kept.Flags, options, execution), kept.Parts, input, output);
+    });
+}
+
+void vtkPowerCrust::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Rule: " << this->Rule << "\n";
+  os << indent << "Clearance: " << this->Clearance << "\n";
+  os << indent << "MaximumRounds: " << this->MaximumRounds << "\n";
+}
