@@ -10,6 +10,7 @@
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace medial
@@ -18,16 +19,21 @@ namespace
 {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-using DelaunayVertex = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
-using DelaunayCell = CGAL::Triangulation_cell_base_with_info_3<Index, Kernel,
+struct Number
+{
+  Index value = None;
+};
+
+using DelaunayVertex = CGAL::Triangulation_vertex_base_with_info_3<Number, Kernel>;
+using DelaunayCell = CGAL::Triangulation_cell_base_with_info_3<Number, Kernel,
   CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,
   CGAL::Triangulation_data_structure_3<DelaunayVertex, DelaunayCell>>;
 
-using RegularVertex = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel,
+using RegularVertex = CGAL::Triangulation_vertex_base_with_info_3<Number, Kernel,
   CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
 using RegularCell = CGAL::Regular_triangulation_cell_base_3<Kernel,
-  CGAL::Triangulation_cell_base_with_info_3<Index, Kernel>, CGAL::Discard_hidden_points>;
+  CGAL::Triangulation_cell_base_with_info_3<Number, Kernel>, CGAL::Discard_hidden_points>;
 using Regular = CGAL::Regular_triangulation_3<Kernel,
   CGAL::Triangulation_data_structure_3<RegularVertex, RegularCell>>;
 
@@ -55,11 +61,14 @@ void insertInOrder(Triangulation& triangulation, const std::vector<std::size_t>&
       execution.report(static_cast<double>(i) / count(order));
     }
     const auto vertex = triangulation.insert(element(order[i]), hint);
-    if (vertex != typename Triangulation::Vertex_handle())
+    if (vertex == typename Triangulation::Vertex_handle())
     {
-      vertex->info() = firstNumber + static_cast<Index>(order[i]);
-      hint = vertex->cell();
+      continue; // hidden
     }
+    const Index number = firstNumber + static_cast<Index>(order[i]);
+    Index& known = vertex->info().value; // of a point at the very same place
+    known = known == None ? number : std::min(number, known);
+    hint = vertex->cell();
   }
 }
 
@@ -74,12 +83,12 @@ Tetrahedra arrays(const Triangulation& triangulation)
   }
   for (const auto cell : triangulation.all_cell_handles())
   {
-    cell->info() = None;
+    cell->info().value = None;
   }
   Index number = 0;
   for (const auto cell : triangulation.finite_cell_handles())
   {
-    cell->info() = number++;
+    cell->info().value = number++;
   }
   result.cells.reserve(number);
   result.neighbors.reserve(number);
@@ -88,8 +97,8 @@ Tetrahedra arrays(const Triangulation& triangulation)
     Tetrahedron corners, neighbors;
     for (int i = 0; i < 4; ++i)
     {
-      corners[i] = cell->vertex(i)->info();
-      neighbors[i] = cell->neighbor(i)->info();
+      corners[i] = cell->vertex(i)->info().value;
+      neighbors[i] = cell->neighbor(i)->info().value;
     }
     result.cells.push_back(corners);
     result.neighbors.push_back(neighbors);

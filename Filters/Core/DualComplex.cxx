@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DualComplex.h"
+
+#include "DisjointSets.h"
+#include "Polygons.h"
+
+#include <algorithm>
+#include <set>
+
+namespace medial
+{
+namespace
+{
+/// For each edge of the triangulation one of its cells in the set, if all of them are and the dual
+/// face is kept; else None.
+using Faces = std::vector<Index>;
+
+/// Leaves out one face of every Voronoi cell that is there with all its faces: one that no other such
+/// cell has, so that cell and face collapse.
+void openCells(const SiteTriangulation& sites, const Outside& outside, Faces& faces)
+{
+  std::vector<std::vector<Index>> around(sites.siteCount); // faces of each closed cell
+  for (Index e = 0; e < count(faces); ++e)
+  {
+    for (const Index v : sites.edges.edges[e])
+    {
+      if (faces[e] != None && !outside.vertices[v])
+      {
+        around[v].push_back(e);
+      }
+    }
+  }
+  std::vector<char> open(outside.vertices);
+  std::vector<Index> todo;
+  for (Index v = 0; v < sites.siteCount; ++v)
+  {
+    todo.push_back(v);
+  }
+  while (!todo.empty())
+  {
+    const Index v = todo.back();
+    todo.pop_back();
+    for (const Index e : around[v])
+    {
+      const Edge& ends = sites.edges.edges[e];
+      const Index other = ends[0] == v ? ends[1] : ends[0];
+      if (!open[v] && open[other] && faces[e] != None)
+      {
+        faces[e] = None;
+        open[v] = 1;
+        for (const Index f : around[v])
+        {
+          const Edge& next = sites.edges.edges[f];
+          todo.push_back(next[0] == v ? next[1] : next[0]);
+        }
+      }
+    }
+  }
+}
+
+Faces keptFaces(const SiteTriangulation& sites, const OpenSet& set)
+{
+  const Outside outside = outsideOf(sites, set);
+  Faces faces(sites.edges.edges.size(), None);
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    for (const Index e : sites.edges.ofCell[c])
+    {
+      if (set.cells[c] && !outside.edges[e])
+      {
+        faces[e] = c;
+      }
+    }
+  }
+  openCells(sites, outside, faces);
+  return faces;
+}
+
+/// The cells around an edge all of whose cells exist, in order.
+std::vector<Index> cellsAround(const Tetrahedra& mesh, const Edge& edge, Index start)
+{
+  std::vector<Index> ring;
+  int leave = 0; // corner opposite to the facet to cross
+  while (mesh.cells[start][leave] == edge[0] || mesh.cells[start][leave] == edge[1])
+  {
+    ++leave;
+  }
+  Index cell = start;
+  do
+  {
+    ring.push_back(cell);
+    const Tetrahedron& corners = mesh.cells[cell];
+    Index pivot = None; // shared with the next cell, opposite to its next facet
+    for (int i = 0; i < 4; ++i)
+    {
+      if (i != leave && corners[i] != edge[0] && corners[i] != edge[1])
+      {
+        pivot = corners[i];
+      }
+    }
+    cell = mesh.neighbors[cell][leave];
+    const Tetrahedron& next = mesh.cells[cell];
+    leave = static_cast<int>(std::find(next.begin(), next.end(), pivot) - next.begin());
+  } while (cell != start);
+  return ring;
+}
+
+/// The medial point of each cell of the set, and what is known of the points.
+struct Vertices
+{
+  std::vector<Index> ofCell;
+  std::vector<Index> firstCell; ///< of each point
+  std::vector<Index> ball;      ///< of each point, or None
+};
+
+Vertices mergedVertices(const SiteTriangulation& sites, const OpenSet& set)
+{
+  DisjointSets classes(count(set.cells));
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    for (const Index n : sites.mesh.neighbors[c])
+    {
+      if (set.cells[c] && n > c && set.cells[n] &&
+        ((sites.onBall[c] != None && sites.onBall[c] == sites.onBall[n]) ||
+          (sites.spheres[c].center - sites.spheres[n].center).norm() < coincident))
+      {
+        classes.unite(c, n);
+      }
+    }
+  }
+  Vertices result;
+  result.ofCell.assign(set.cells.size(), None);
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    if (!set.cells[c])
+    {
+      continue;
+    }
+    const Index first = classes.find(c);
+    if (first == c)
+    {
+      result.firstCell.push_back(c);
+      result.ball.push_back(None);
+    }
+    const Index vertex = first == c ? count(result.firstCell) - 1 : result.ofCell[first];
+    result.ofCell[c] = vertex;
+    const Index ball = sites.onBall[c];
+    if (ball != None && (result.ball[vertex] == None || ball < result.ball[vertex]))
+    {
+      result.ball[vertex] = ball;
+    }
+  }
+  return result;
+}
+
+/// A face of the axis before it is triangulated; with two corners it is an edge.
+struct Polygon
+{
+  std::vector<Index> corners;
+  Index siteEdge;
+};
+
+/// Cuts a closed walk where it visits a vertex again; drops pieces of one corner.
+void appendSimplePolygons(
+  const std::vector<Index>& walk, Index siteEdge, std::vector<Polygon>& polygons)
+{
+  std::vector<Index> path;
+  const auto emit = [&](std::vector<Index> corners) {
+    if (corners.size() > 1)
+    {
+      polygons.push_back({ std::move(corners), siteEdge });
+    }
+  };
+  for (const Index vertex : walk)
+  {
+    const auto before = std::find(path.begin(), path.end(), vertex);
+    if (before == path.end())
+    {
+      path.push_back(vertex);
+      continue;
+    }
+    emit({ before, path.end() });
+    path.erase(before + 1, path.end());
+  }
+  emit(path);
+}
+
+std::vector<Polygon> facePolygons(
+  const SiteTriangulation& sites, const Faces& faces, const Vertices& vertices)
+{
+  std::vector<Polygon> polygons;
+  for (Index e = 0; e < count(faces); ++e)
+  {
+    if (faces[e] == None)
+    {
+      continue;
+    }
+    std::vector<Index> walk;
+    for (const Index c : cellsAround(sites.mesh, sites.edges.edges[e], faces[e]))
+    {
+      if (walk.empty() || walk.back() != vertices.ofCell[c])
+      {
+        walk.push_back(vertices.ofCell[c]);
+      }
+    }
+    appendSimplePolygons(walk, e, polygons);
+  }
+  return polygons;
+}
+
+/// The Voronoi edges in the set that are in no face.
+std::vector<Edge> edgesWithoutFace(const SiteTriangulation& sites, const OpenSet& set,
+  const Faces& faces, const Vertices& vertices)
+{
+  std::vector<Edge> result;
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    for (int i = 0; i < 4 && set.cells[c]; ++i)
+    {
+      const Index n = sites.mesh.neighbors[c][i];
+      if (n < c || !set.cells[n])
+      {
+        continue;
+      }
+      bool inFace = false;
+      for (int k = 0; k < 6; ++k)
+      {
+        const bool inFacet = cellEdges[k][0] != i && cellEdges[k][1] != i;
+        inFace = inFace || (inFacet && faces[sites.edges.ofCell[c][k]] != None);
+      }
+      if (!inFace)
+      {
+        result.push_back({ vertices.ofCell[c], vertices.ofCell[n] });
+      }
+    }
+  }
+  return result;
+}
+
+void addPoints(const PolarBalls& polarBalls, const SiteTriangulation& sites, const Frame& frame,
+  const Vertices& vertices, MedialAxis& axis)
+{
+  for (Index v = 0; v < count(vertices.firstCell); ++v)
+  {
+    const Index ball = vertices.ball[v];
+    const Ball sphere = ball != None ? polarBalls.balls[ball]
+                                     : frame.toWorld(sites.spheres[vertices.firstCell[v]]);
+    axis.points.push_back(sphere.center);
+    axis.radii.push_back(sphere.radius);
+    axis.ballOfPoint.push_back(ball);
+  }
+}
+
+/// Triangulates polygons into cells of the axis; returns their edges and those of two-gons.
+void addTriangles(const std::vector<Polygon>& polygons, const SiteTriangulation& sites,
+  const std::vector<Index>& samples, EdgeSet& edges, MedialAxis& axis)
+{
+  std::set<Triangle> known;
+  Index number = 0;
+  for (const Polygon& polygon : polygons)
+  {
+    if (polygon.corners.size() < 3)
+    {
+      continue;
+    }
+    const Edge& ends = sites.edges.edges[polygon.siteEdge];
+    double radius = 0;
+    for (const Index p : polygon.corners)
+    {
+      radius += axis.radii[p] / static_cast<double>(polygon.corners.size());
+    }
+    for (const Triangle& triangle : triangulate(polygon.corners, axis.points, edges))
+    {
+      Triangle sorted = triangle;
+      std::sort(sorted.begin(), sorted.end());
+      if (known.insert(sorted).second)
+      {
+        axis.cells.triangles.push_back(triangle);
+        axis.polygonOfCell.push_back(number);
+        axis.samplesOfCell.push_back({ samples[ends[0]], samples[ends[1]] });
+      }
+    }
+    if (axis.points.size() > axis.radii.size())
+    {
+      axis.radii.push_back(radius); // of the centroid that was added
+      axis.ballOfPoint.push_back(None);
+    }
+    ++number;
+  }
+}
+
+/// Adds the edges that are sides of no triangle, each once, and the points that are in no cell.
+void addLowerCells(std::vector<Edge> dangling, const EdgeSet& sidesOfFaces, MedialAxis& axis)
+{
+  for (Edge& edge : dangling)
+  {
+    std::sort(edge.begin(), edge.end());
+  }
+  std::sort(dangling.begin(), dangling.end());
+  dangling.erase(std::unique(dangling.begin(), dangling.end()), dangling.end());
+  for (const Edge& edge : dangling)
+  {
+    if (edge[0] != edge[1] && !sidesOfFaces.contains(edge[0], edge[1]))
+    {
+      axis.cells.edges.push_back(edge);
+    }
+  }
+  std::vector<char> used(axis.points.size(), 0);
+  const auto use = [&used](const auto& cells) {
+    for (const auto& cell : cells)
+    {
+      for (const Index p : cell)
+      {
+        used[p] = 1;
+      }
+    }
+  };
+  use(axis.cells.edges);
+  use(axis.cells.triangles);
+  for (Index p = 0; p < count(axis.points); ++p)
+  {
+    if (!used[p])
+    {
+      axis.cells.vertices.push_back(p);
+    }
+  }
+  const std::size_t lower = axis.cells.firstTriangle();
+  axis.polygonOfCell.insert(axis.polygonOfCell.begin(), lower, None);
+  axis.samplesOfCell.insert(axis.samplesOfCell.begin(), lower, Edge{ None, None });
+}
+}
+
+MedialAxis dualComplex(const PolarBalls& polarBalls, const SingularPoints& singularPoints,
+  const SiteTriangulation& sites, const OpenSet& set, const Frame& frame)
+{
+  const Faces faces = keptFaces(sites, set);
+  const Vertices vertices = mergedVertices(sites, set);
+  const std::vector<Polygon> polygons = facePolygons(sites, faces, vertices);
+  std::vector<Edge> dangling = edgesWithoutFace(sites, set, faces, vertices);
+
+  MedialAxis axis{};
+  addPoints(polarBalls, sites, frame, vertices, axis);
+  EdgeSet sides, all;
+  for (const Polygon& polygon : polygons)
+  {
+    const std::vector<Index>& corners = polygon.corners;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+    {
+      const Index a = corners[k], b = corners[(k + 1) % corners.size()];
+      all.insert(a, b);
+      if (corners.size() == 2)
+      {
+        dangling.push_back({ a, b });
+      }
+      else
+      {
+        sides.insert(a, b);
+      }
+    }
+  }
+  for (const Edge& edge : dangling)
+  {
+    all.insert(edge[0], edge[1]);
+  }
+  addTriangles(polygons, sites, singularPoints.samples, all, axis);
+  addLowerCells(std::move(dangling), sides, axis);
+  return axis;
+}
+}
