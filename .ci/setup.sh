@@ -8,6 +8,7 @@ build=${MEDIAL_BUILD:-$top/build}
 
 build_packages=(g++ cmake ninja-build libvtk9-dev libcgal-dev libeigen3-dev)
 picture_packages=(xvfb libgl1-mesa-dri)
+test_packages=(libgtest-dev python3-numpy universal-ctags clang-format-14)
 
 say() { printf '\n== %s\n' "$*"; }
 
@@ -45,14 +46,20 @@ install_packages()
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# Configures and builds the project; arguments go to CMake.
+# Configures a folder with CMake: source, build folder, options. Shows CMake's words if it fails.
+configure()
+{
+  mkdir -p "$2"
+  cmake -S "$1" -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release "${@:3}" >"$2/configure.log" 2>&1 ||
+    { cat "$2/configure.log"; fail "CMake failed."; }
+}
+
+# Builds a target of the project; further arguments are options for CMake.
 build_project()
 {
   say "Building in $build"
-  cmake -S "$top" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$build.log" 2>&1 ||
-    { cat "$build.log"; fail "CMake failed."; }
-  mkdir -p "$build" && mv "$build.log" "$build/configure.log"
-  cmake --build "$build"
+  configure "$top" "$build" "${@:2}"
+  cmake --build "$build" --target "$1"
 }
 
 # Starts an X server of our own on a number nobody uses, until the script ends.

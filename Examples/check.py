@@ -1,0 +1,262 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks what SimplifyShape promises: files, report, exit codes, messages.
+
+  Examples/check.py build/bin/SimplifyShape
+"""
+
+import csv
+import json
+import math
+import os
+import pty
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+
+DATA = {"balls.vtu", "axis.vtp", "parts.vtp", "pruned.vtp", "surface.vtp", "surface.stl",
+        "parts.csv", "history.csv", "report.json"}
+PICTURES = {"samples.png", "axis.png", "parts.png", "pruned.png", "surface.png", "overview.png"}
+
+
+def ellipsoid(count=1500, axes=(1.0, 0.7, 0.5)):
+    """Points spread over an ellipsoid along a spiral."""
+    golden = math.pi * (3 - math.sqrt(5))
+    points = []
+    for i in range(count):
+        z = 1 - (2 * i + 1) / count
+        r = math.sqrt(1 - z * z)
+        points.append((axes[0] * r * math.cos(golden * i), axes[1] * r * math.sin(golden * i),
+                       axes[2] * z))
+    return points
+
+
+def torus(count=3000, big=1.0, small=0.4):
+    """Points spread over a torus, of even density, by two irrational steps."""
+    points = []
+    for i in range(count):
+        u = 2 * math.pi * (i * 0.7548776662466927 % 1)
+        area = i * 0.5698402909980532 % 1
+        v = 2 * math.pi * area
+        for _ in range(20):  # area(v) = (v + small / big sin v) / 2 pi
+            v = 2 * math.pi * area - small / big * math.sin(v)
+        r = big + small * math.cos(v)
+        points.append((r * math.cos(u), r * math.sin(u), small * math.sin(v)))
+    return points
+
+
+def triangles(stl):
+    """The triangles of a binary .stl file, corners as tuples."""
+    with open(stl, "rb") as file:
+        content = file.read()
+    count = struct.unpack_from("<I", content, 80)[0]
+    assert len(content) == 84 + 50 * count
+    for i in range(count):
+        v = struct.unpack_from("<9f", content, 84 + 50 * i + 12)
+        yield v[0:3], v[3:6], v[6:9]
+
+
+class SimplifyShape(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def write(self, name, text):
+        with open(self.path(name), "w") as file:
+            file.write(text)
+        return self.path(name)
+
+    def write_xyz(self, points, name="points.xyz"):
+        return self.write(name, "".join("%.17g %.17g %.17g\n" % point for point in points))
+
+    def write_off(self, points, name="points.off"):
+        return self.write(name, "OFF\n# made by a test\n%d 0 0\n\n" % len(points) +
+                          "".join("%.17g %.17g %.17g\n" % point for point in points))
+
+    def run_program(self, *arguments, environment=None):
+        return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True,
+                              stdin=subprocess.DEVNULL, env=environment)
+
+    def simplify(self, points, *arguments):
+        """Runs on points; returns the report and the folder."""
+        out = self.path("out")
+        done = self.run_program(self.write_xyz(points), "--output", out, *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(os.path.join(out, "report.json")) as file:
+            return json.load(file), out
+
+    def assert_fails(self, code, fragments, *arguments):
+        done = self.run_program(*arguments, "--output", self.path("none"))
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, "one line expected: " + done.stderr)
+        for fragment in fragments:
+            self.assertIn(fragment, done.stderr)
+        self.assertFalse(os.path.exists(self.path("none")), "a failed run left results")
+
+    def test_help_names_every_option(self):
+        done = self.run_program("--help")
+        self.assertEqual(done.returncode, 0)
+        for option in ("--output", "--schedule", "--topology", "--remove-parts", "--threads",
+                       "--picture", "--strict", "--quiet"):
+            self.assertIn(option, done.stdout)
+
+    def test_wrong_usage_gives_1(self):
+        points = self.write_xyz(ellipsoid(300))
+        self.assert_fails(1, ["no input"])
+        self.assert_fails(1, ["'x3'", "tN", "vP%"], points, "--schedule", "t5 x3")
+        for word in ("v0.01", "v%", "v101%", "t", "t-1", "t1.5", "v1e1%", "v1%%"):
+            self.assert_fails(1, ["'" + word + "'", "tN", "vP%"], points, "--schedule", word)
+        self.assert_fails(1, ["--topology", "'graph'"], points, "--topology", "graph")
+        self.assert_fails(1, ["--threads", "'0'"], points, "--threads=0")
+        self.assert_fails(1, ["'a'", "--remove-parts"], points, "--remove-parts", "1,a")
+        self.assert_fails(1, ["no part 100000"], points, "--remove-parts", "100000")
+        self.assert_fails(1, ["'--colour'"], points, "--colour")
+        self.assert_fails(1, ["one input"], points, points)
+
+    def test_missing_value_gives_1(self):
+        done = self.run_program("points.xyz", "--schedule")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("--schedule needs a value", done.stderr)
+
+    def test_unusable_files_give_2(self):
+        self.assert_fails(2, ["nowhere.ply", "No such file"], self.path("nowhere.ply"))
+        self.assert_fails(2, ["is a folder"], self.folder.name)
+        self.assert_fails(2, ["'.txt'", ".xyz"], self.write("points.txt", "0 0 0\n"))
+        self.assert_fails(2, ["bad.xyz", "line 2", "0 a 0"], self.write("bad.xyz", "0 0 0\n0 a 0\n"))
+        self.assert_fails(2, ["bad.off", "line 1"], self.write("bad.off", "PLY\n"))
+        self.assert_fails(2, ["of 9 points"], self.write("short.off", "OFF 9 0 0\n0 0 0\n"))
+        self.assert_fails(2, ["binary"], self.write("binary.off", "OFF BINARY\n"))
+        for name in ("bad.ply", "bad.vtp", "bad.vtu", "bad.stl", "bad.obj"):
+            self.assert_fails(2, [name], self.write(name, "nonsense\n"))
+
+    def test_unusable_points_give_2(self):
+        self.assert_fails(2, ["4"], self.write_xyz([(0, 0, 0), (1, 0, 0), (0, 1, 0)]))
+        self.assert_fails(2, ["plane"], self.write_xyz([(i % 5, i // 5, 0) for i in range(25)]))
+        self.assert_fails(2, ["line"], self.write_xyz([(i, 2 * i, 3 * i) for i in range(25)]))
+        self.assert_fails(2, ["finite"], self.write_xyz(ellipsoid(100) + [(math.nan, 0, 0)]))
+        self.assert_fails(2, [], self.write("empty.xyz", "# nothing\n"))
+
+    def test_output_that_is_a_file_gives_2(self):
+        points = self.write_xyz(ellipsoid(300))
+        done = self.run_program(points, "--output", points)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(points, done.stderr)
+
+    def test_ellipsoid(self):
+        report, out = self.simplify(ellipsoid(), "--strict")
+        self.assertEqual(set(os.listdir(out)), DATA)
+        self.assertEqual(report["samples"], 1500)
+        self.assertEqual(report["duplicates"], 0)
+        self.assertEqual(report["betti"], dict.fromkeys(
+            ("powerShape", "axis", "pruned", "crust"), [1, 0, 0]))
+        self.assertIs(report["certificate"], True)
+        exact = 4 / 3 * math.pi * 0.7 * 0.5
+        self.assertAlmostEqual(report["volume"]["crustBefore"] / exact, 1, delta=0.02)
+        self.assertAlmostEqual(report["volume"]["crustAfter"] / exact, 1, delta=0.05)
+        self.assertEqual(set(report["balls"]), {"inner", "outer", "hidden", "offAxis"})
+        self.assertEqual(set(report["seconds"]), {"polarBalls", "medialAxis", "parts", "prune",
+                                                  "crust", "total"})
+        self.assertGreater(report["peakMemoryMiB"], 10)
+        self.check_iterations(report, out)
+
+    def check_iterations(self, report, out):
+        rows = report["iterations"]
+        self.assertEqual([(row["measure"], row["threshold"]) for row in rows],
+                         [("triangleCount", 5), ("triangleCount", 5), ("relativeVolume", 0.01)])
+        self.assertEqual(rows[0]["partsBefore"], report["parts"])
+        for before, after in zip(rows, rows[1:]):
+            self.assertEqual(before["partsAfter"], after["partsBefore"])
+        with open(os.path.join(out, "parts.csv")) as file:
+            parts = list(csv.DictReader(file))
+        self.assertEqual(len(parts), report["parts"])
+        self.assertAlmostEqual(sum(float(part["RelativeVolume"]) for part in parts), 1, places=9)
+        with open(os.path.join(out, "history.csv")) as file:
+            history = list(csv.DictReader(file))
+        self.assertEqual([int(row["PartsAfter"]) for row in history],
+                         [row["partsAfter"] for row in rows])
+
+    def test_surface_is_closed(self):
+        _, out = self.simplify(torus())
+        edges = {}
+        for corners in triangles(os.path.join(out, "surface.stl")):
+            for a, b in zip(corners, corners[1:] + corners[:1]):
+                edges[a, b] = edges.get((a, b), 0) + 1
+        for (a, b), count in edges.items():
+            if a != b:  # corners nearer than a float can tell
+                self.assertEqual(count, edges.get((b, a)), "an open edge")
+
+    def test_torus_keeps_its_tunnel(self):
+        report, _ = self.simplify(torus(), "--schedule", "t5 v50%", "--strict")
+        for betti in report["betti"].values():
+            self.assertEqual(betti, [1, 1, 0])
+
+    def test_part_by_hand(self):
+        report, _ = self.simplify(ellipsoid(), "--schedule", "", "--remove-parts", "0",
+                                  "--topology", "none")
+        self.assertEqual([row["measure"] for row in report["iterations"]], ["byHand"])
+        self.assertLess(report["iterations"][0]["partsAfter"], report["parts"])
+
+    def test_formats_and_threads_agree(self):
+        points = ellipsoid(600)
+        reports = []
+        for arguments in ([self.write_xyz(points)], [self.write_off(points)],
+                          [self.write_off(points), "--threads=1"]):
+            done = self.run_program(*arguments, "--output", self.path("same"), "--quiet")
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+            with open(self.path("same/report.json")) as file:
+                reports.append(json.load(file))
+            for key in ("seconds", "peakMemoryMiB"):
+                del reports[-1][key]
+        self.assertEqual(reports[0], reports[1])
+        self.assertEqual(reports[0], reports[2])
+
+    def test_xyz_is_read_with_comments_and_more_columns(self):
+        text = "".join("%.17g, %.17g; %.17g 255 0 abc\n\n" % point for point in ellipsoid(300))
+        out = self.path("out")
+        done = self.run_program(self.write("p.xyz", "# comment\n" + text), "--output", out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("300 samples", done.stdout)
+
+    def test_bar_is_for_terminals_only(self):
+        points = self.write_xyz(ellipsoid(300))
+        command = [PROGRAM, points, "--output", self.path("out")]
+        plain = subprocess.run(command, capture_output=True, text=True)
+        self.assertEqual(plain.stderr, "")
+        master, terminal = pty.openpty()
+        subprocess.run(command, stdout=subprocess.DEVNULL, stderr=terminal, check=True)
+        os.close(terminal)
+        seen = os.read(master, 1 << 16).decode()
+        os.close(master)
+        for stage in ("polar balls", "medial axis", "parts", "prune", "crust"):
+            self.assertIn(stage, seen)
+        self.assertIn("100 %", seen)
+
+    def test_pictures_without_display_give_1(self):
+        environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
+        points = self.write_xyz(ellipsoid(300))
+        done = self.run_program(points, "--picture", "--output", self.path("none"),
+                                environment=environment)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("DISPLAY", done.stderr)
+        self.assertIn("Examples/run", done.stderr)
+        self.assertFalse(os.path.exists(self.path("none")))
+
+    @unittest.skipUnless(os.environ.get("DISPLAY"), "needs an X server")
+    def test_pictures(self):
+        _, out = self.simplify(torus(1500), "--picture")
+        self.assertEqual(set(os.listdir(out)), DATA | PICTURES)
+        for name in PICTURES:
+            with open(os.path.join(out, name), "rb") as file:
+                size = struct.unpack(">II", file.read(24)[16:])
+            self.assertEqual(size, (2500, 560) if name == "overview.png" else (900, 900))
+
+
+if __name__ == "__main__":
+    unittest.main()
