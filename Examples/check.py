@@ -229,14 +229,25 @@ class SimplifyShape(unittest.TestCase):
         command = [PROGRAM, points, "--output", self.path("out")]
         plain = subprocess.run(command, capture_output=True, text=True)
         self.assertEqual(plain.stderr, "")
-        master, terminal = pty.openpty()
-        subprocess.run(command, stdout=subprocess.DEVNULL, stderr=terminal, check=True)
-        os.close(terminal)
-        seen = os.read(master, 1 << 16).decode()
-        os.close(master)
+        seen = self.seen_at_terminal(command)
         for stage in ("polar balls", "medial axis", "parts", "prune", "crust"):
             self.assertIn(stage, seen)
         self.assertIn("100 %", seen)
+
+    def seen_at_terminal(self, command):
+        """What a program writes to standard error where that is a terminal."""
+        master, terminal = pty.openpty()
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=terminal) as process:
+            os.close(terminal)
+            seen = b""
+            try:
+                while True:
+                    seen += os.read(master, 4096)
+            except OSError:  # how Linux reports that the other side is closed
+                pass
+            os.close(master)
+        self.assertEqual(process.returncode, 0)
+        return seen.decode()
 
     def test_pictures_without_display_give_1(self):
         environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
