@@ -2,16 +2,16 @@
 #include "Conversion.h"
 
 #include "ArrayNames.h"
+#include "Arrays.h"
+#include "Refuse.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -22,86 +22,17 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
 #include <numeric>
 #include <ostream>
 #include <set>
-#include <sstream>
 
 namespace medial
 {
 namespace
 {
-constexpr Index Largest = std::numeric_limits<Index>::max();
-constexpr vtkIdType AnyCount = -1;
-
-template <typename... Pieces>
-[[noreturn]] void refuse(const Pieces&... pieces)
-{
-  std::ostringstream message;
-  (message << ... << pieces);
-  throw InvalidInput(message.str());
-}
-
-Index toIndex(vtkIdType number, const char* ofWhat)
-{
-  if (number < 0 || number >= Largest)
-  {
-    refuse(number, " ", ofWhat, ": at most ", Largest - 1, " can be used");
-  }
-  return static_cast<Index>(number);
-}
-
-struct Itself
-{
-  template <typename Value>
-  const Value& operator()(const Value& value) const
-  {
-    return value;
-  }
-};
-
-/// An array of tuples; field(value) is what becomes one and can be indexed by component.
-template <typename Array, typename Values, typename Field = Itself>
-vtkSmartPointer<Array> tuples(
-  const char* name, int components, const Values& values, Field field = {})
-{
-  using Number = typename Array::ValueType;
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  vtkIdType next = 0;
-  for (const auto& value : values)
-  {
-    const auto& tuple = field(value);
-    for (int component = 0; component < components; ++component)
-    {
-      array->SetValue(next++, static_cast<Number>(tuple[component]));
-    }
-  }
-  return array;
-}
-
-/// Adds an array with one number, field(value), for each value.
-template <typename Array, typename Values, typename Field = Itself>
-void add(vtkFieldData* data, const char* name, const Values& values, Field field = {})
-{
-  const auto number = [&](const auto& value) { return std::array{ std::invoke(field, value) }; };
-  data->AddArray(tuples<Array>(name, 1, values, number));
-}
-
-template <typename Array, typename Value>
-void addOne(vtkFieldData* data, const char* name, Value value)
-{
-  add<Array>(data, name, std::array{ value });
-}
-
 void addBetti(vtkFieldData* data, const char* name, const Betti& betti)
 {
-  data->AddArray(tuples<vtkIdTypeArray>(name, 3, std::array{ betti }));
+  data->AddArray(tuples<vtkIdTypeArray>(name, 3, std::vector<Betti>{ betti }));
 }
 
 template <typename Values, typename Field = Itself>
@@ -127,153 +58,9 @@ vtkSmartPointer<vtkCellArray> cellArray(const Cells& cells)
   return result;
 }
 
-/// The arrays of one kind of an input, read with every value checked.
-class Arrays
-{
-public:
-  /// @param kind    point, cell or field
-  /// @param remedy  what to do where an array does not fit
-  Arrays(vtkFieldData* data, const char* kind, const char* remedy)
-    : Data(data)
-    , Kind(kind)
-    , Remedy(remedy)
-  {
-  }
-
-  bool has(const char* name) const { return this->Data->GetAbstractArray(name) != nullptr; }
-
-  /// Finite numbers >= lowest.
-  std::vector<double> reals(const char* name, vtkIdType count,
-    double lowest = std::numeric_limits<double>::lowest(), int components = 1) const
-  {
-    vtkDataArray* array = this->find(name, count, components);
-    std::vector<double> result;
-    result.reserve(array->GetNumberOfValues());
-    for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
-    {
-      const double value = array->GetComponent(i / components, static_cast<int>(i % components));
-      if (!std::isfinite(value) || value < lowest)
-      {
-        this->refuseValue(name, i / components, value, "finite numbers, not below ", lowest);
-      }
-      result.push_back(value);
-    }
-    return result;
-  }
-
-  /// Whole numbers lowest ... end - 1, all components of all tuples.
-  std::vector<Index> indices(
-    const char* name, vtkIdType count, Index lowest, Index end, int components = 1) const
-  {
-    vtkDataArray* array = this->find(name, count, components);
-    if (array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT)
-    {
-      refuse("the ", this->Kind, " array '", name, "' is of type ", array->GetDataTypeAsString(),
-        " but must hold whole numbers: ", this->Remedy);
-    }
-    std::vector<Index> result;
-    result.reserve(array->GetNumberOfValues());
-    for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
-    {
-      const double value = array->GetComponent(i / components, static_cast<int>(i % components));
-      if (value < lowest || value >= end)
-      {
-        this->refuseValue(name, i / components, value, "numbers ", lowest, " ... ", end - 1);
-      }
-      result.push_back(static_cast<Index>(value));
-    }
-    return result;
-  }
-
-  template <std::size_t Size>
-  std::vector<std::array<Index, Size>> indexTuples(
-    const char* name, vtkIdType count, Index lowest, Index end) const
-  {
-    const std::vector<Index> flat =
-      this->indices(name, count, lowest, end, static_cast<int>(Size));
-    std::vector<std::array<Index, Size>> result(flat.size() / Size);
-    for (std::size_t i = 0; i < flat.size(); ++i)
-    {
-      result[i / Size][i % Size] = flat[i];
-    }
-    return result;
-  }
-
-  std::vector<char> flags(const char* name, vtkIdType count) const
-  {
-    const std::vector<Index> numbers = this->indices(name, count, 0, 2);
-    return std::vector<char>(numbers.begin(), numbers.end());
-  }
-
-  Betti betti(const char* name) const { return this->indexTuples<3>(name, 1, 0, Largest).front(); }
-
-  /// Lists of strictly ascending numbers 0 ... end - 1.
-  IndexLists lists(const char* offsets, const char* items, vtkIdType count, Index end) const
-  {
-    IndexLists result;
-    result.items = this->indices(items, AnyCount, 0, end);
-    const Index size = toIndex(static_cast<vtkIdType>(result.items.size()), "list entries");
-    result.offsets = this->indices(offsets, count + 1, 0, size + 1);
-    if (result.offsets.front() != 0 || result.offsets.back() != size ||
-      !std::is_sorted(result.offsets.begin(), result.offsets.end()))
-    {
-      refuse("the ", this->Kind, " array '", offsets, "' does not ascend from 0 to ", size,
-        ", the length of '", items, "': ", this->Remedy);
-    }
-    for (Index list = 0; list < result.size(); ++list)
-    {
-      this->checkAscending(items, list, result[list]);
-    }
-    return result;
-  }
-
-private:
-  vtkDataArray* find(const char* name, vtkIdType count, int components) const
-  {
-    vtkAbstractArray* found = this->Data->GetAbstractArray(name);
-    vtkDataArray* array = vtkDataArray::SafeDownCast(found);
-    if (!array)
-    {
-      refuse(found ? "no numbers in the " : "there is no ", this->Kind, " array '", name,
-        "': ", this->Remedy);
-    }
-    if (array->GetNumberOfComponents() != components)
-    {
-      refuse("the ", this->Kind, " array '", name, "' has ", array->GetNumberOfComponents(),
-        " components instead of ", components, ": ", this->Remedy);
-    }
-    if (count != AnyCount && array->GetNumberOfTuples() != count)
-    {
-      refuse("the ", this->Kind, " array '", name, "' has ", array->GetNumberOfTuples(),
-        " entries instead of ", count, ": ", this->Remedy);
-    }
-    return array;
-  }
-
-  void checkAscending(const char* items, Index number, IndexLists::View list) const
-  {
-    if (std::adjacent_find(list.begin(), list.end(), std::greater_equal<Index>()) != list.end())
-    {
-      refuse("list ", number, " in the ", this->Kind, " array '", items,
-        "' does not ascend: ", this->Remedy);
-    }
-  }
-
-  template <typename... Pieces>
-  [[noreturn]] void refuseValue(
-    const char* name, vtkIdType place, double value, const Pieces&... allowed) const
-  {
-    refuse("the ", this->Kind, " array '", name, "' has the value ", value, " at ", place, "; only ",
-      allowed..., " can be there: ", this->Remedy);
-  }
-
-  vtkFieldData* Data;
-  const char* Kind;
-  const char* Remedy;
-};
-
 constexpr const char* TakePolarBalls = "take the output of vtkPolarBalls as it is";
-constexpr const char* TakeMedialAxis = "take the output of vtkMedialAxis or a later filter as it is";
+constexpr const char* TakeMedialAxis =
+  "take the output of vtkMedialAxis or a later filter as it is";
 constexpr const char* TakeParts = "take the output of vtkMedialPartDecomposition or vtkMedialPrune";
 
 std::vector<Point> readPoints(vtkPointSet* input)
@@ -315,7 +102,8 @@ std::array<Index, Size> readCell(
   {
     if (corners[i] < 0 || corners[i] >= pointCount)
     {
-      refuse("a cell has the corner ", corners[i], " but there are ", pointCount, " points: ", remedy);
+      refuse(
+        "a cell has the corner ", corners[i], " but there are ", pointCount, " points: ", remedy);
     }
     result[i] = static_cast<Index>(corners[i]);
     if (std::find(result.begin(), result.begin() + i, result[i]) != result.begin() + i)
@@ -529,8 +317,8 @@ void addHistory(vtkFieldData* rows, const std::vector<PruneRow>& history)
   add<vtkIdTypeArray>(rows, names::Candidates, history, &PruneRow::candidates);
   add<vtkIdTypeArray>(rows, names::Removed, history, &PruneRow::removed);
   add<vtkIdTypeArray>(rows, names::Refused, history, &PruneRow::refused);
-  rows->AddArray(
-    tuples<vtkIdTypeArray>(names::Betti, 3, history, [](const PruneRow& row) { return row.betti; }));
+  rows->AddArray(tuples<vtkIdTypeArray>(
+    names::Betti, 3, history, [](const PruneRow& row) { return row.betti; }));
   add<vtkDoubleArray>(rows, names::VolumeRemoved, history, &PruneRow::volumeRemoved);
 }
 }
@@ -540,8 +328,8 @@ std::vector<Point> readSamples(vtkPointSet* input)
   return readPoints(input);
 }
 
-void write(const PolarBalls& balls, const Betti& powerShape, vtkPointSet* input,
-  vtkUnstructuredGrid* output)
+void write(
+  const PolarBalls& balls, const Betti& powerShape, vtkPointSet* input, vtkUnstructuredGrid* output)
 {
   output->SetPoints(points(balls.balls, [](const Ball& ball) { return ball.center; }));
   output->SetCells(VTK_TETRA, cellArray(balls.cells));
@@ -666,8 +454,8 @@ std::vector<Index> readParts(vtkPolyData* axis)
                                   : std::vector<Index>();
 }
 
-std::vector<Index> readCells(vtkPolyData* axis, const std::vector<vtkIdType>& parts,
-  const std::vector<vtkIdType>& cells)
+std::vector<Index> readCells(
+  vtkPolyData* axis, const std::vector<vtkIdType>& parts, const std::vector<vtkIdType>& cells)
 {
   const vtkIdType cellCount = axis->GetNumberOfCells();
   std::vector<Index> result;
@@ -768,8 +556,7 @@ void print(std::ostream& stream, const std::vector<PruneIteration>& schedule)
   for (const PruneIteration& iteration : schedule)
   {
     stream << (iteration.measure == Measure::TriangleCount ? "triangle count" : "relative volume")
-           << " <= " << iteration.threshold << ", passes: " << iteration.passes << "
-";
+           << " <= " << iteration.threshold << ", passes: " << iteration.passes << "\n";
   }
 }
 }

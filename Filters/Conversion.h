@@ -47,8 +47,8 @@ std::vector<Index> readParts(vtkPolyData* axis);
 
 /// The cells of an axis in one of `parts`, and `cells`, checked.
 /// @throw InvalidInput  the axis has no parts, or a part or cell isn't there
-std::vector<Index> readCells(vtkPolyData* axis, const std::vector<vtkIdType>& parts,
-  const std::vector<vtkIdType>& cells);
+std::vector<Index> readCells(
+  vtkPolyData* axis, const std::vector<vtkIdType>& parts, const std::vector<vtkIdType>& cells);
 
 /// The living cells, the history, and the removed cells.
 void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTable* history,

@@ -119,13 +119,23 @@ inline Execution execution(vtkAlgorithm* filter)
   return result;
 }
 
+/// vtkAlgorithm::SetErrorCode, which only a filter's own methods may call otherwise.
+inline void setErrorCode(vtkAlgorithm* filter, unsigned long code)
+{
+  struct Access : vtkAlgorithm
+  {
+    using vtkAlgorithm::SetErrorCode;
+  };
+  (filter->*&Access::SetErrorCode)(code);
+}
+
 /// Runs body(execution) and turns what it throws into a VTK error and empty outputs; the value is
 /// that of RequestData. Work that was stopped has empty outputs too, but is no error.
 template <typename Body>
 int reportErrors(
   vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector* outputs, const Body& body)
 {
-  filter->SetErrorCode(vtkErrorCode::NoError);
+  setErrorCode(filter, vtkErrorCode::NoError);
   emptyOutputs(outputs);
   try
   {
@@ -147,7 +157,7 @@ int reportErrors(
   catch (const std::exception& error)
   {
     emptyOutputs(outputs);
-    filter->SetErrorCode(vtkErrorCode::UserError);
+    setErrorCode(filter, vtkErrorCode::UserError);
     vtkErrorWithObjectMacro(filter, << error.what());
     return 0;
   }

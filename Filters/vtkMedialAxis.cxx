@@ -26,17 +26,16 @@ int vtkMedialAxis::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   return medial::requestWholeInputs(this, inputVector);
 }
 
-int vtkMedialAxis::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+int vtkMedialAxis::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* balls = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return medial::reportErrors(
-    this, request, outputVector, [&](const medial::Execution& execution) {
-      const medial::AxisOptions options{ static_cast<medial::AxisFallback>(this->Fallback) };
-      medial::write(
-        medial::medialAxis(medial::readPolarBalls(balls), options, execution), balls, output);
-    });
+  return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
+    const medial::AxisOptions options{ static_cast<medial::AxisFallback>(this->Fallback) };
+    medial::write(
+      medial::medialAxis(medial::readPolarBalls(balls), options, execution), balls, output);
+  });
 }
 
 void vtkMedialAxis::PrintSelf(ostream& os, vtkIndent indent)

@@ -27,18 +27,17 @@ int vtkMedialPartDecomposition::RequestUpdateExtent(vtkInformation* vtkNotUsed(r
   return medial::requestWholeInputs(this, inputVector);
 }
 
-int vtkMedialPartDecomposition::RequestData(vtkInformation* request,
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkMedialPartDecomposition::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* axis = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   vtkPolyData* contacts = vtkPolyData::GetData(outputVector, 2);
-  return medial::reportErrors(
-    this, request, outputVector, [&](const medial::Execution& execution) {
-      medial::write(medial::decompose(medial::readMedialAxis(axis), this->MaximumLevel, execution),
-        axis, output, table, contacts);
-    });
+  return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
+    medial::write(medial::decompose(medial::readMedialAxis(axis), this->MaximumLevel, execution),
+      axis, output, table, contacts);
+  });
 }
 
 void vtkMedialPartDecomposition::PrintSelf(ostream& os, vtkIndent indent)

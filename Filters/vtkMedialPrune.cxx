@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <vector>
 
-static_assert(
-  vtkMedialPrune::TRIANGLE_COUNT == static_cast<int>(medial::Measure::TriangleCount) &&
+static_assert(vtkMedialPrune::TRIANGLE_COUNT == static_cast<int>(medial::Measure::TriangleCount) &&
     vtkMedialPrune::RELATIVE_VOLUME == static_cast<int>(medial::Measure::RelativeVolume) &&
     vtkMedialPrune::COLLAPSE == static_cast<int>(medial::Topology::Collapse) &&
     vtkMedialPrune::NONE == static_cast<int>(medial::Topology::None),
@@ -130,37 +129,30 @@ int vtkMedialPrune::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   return medial::requestWholeInputs(this, inputVector);
 }
 
-int vtkMedialPrune::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+int vtkMedialPrune::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* axis = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   vtkPolyData* removed = vtkPolyData::GetData(outputVector, 2);
-  return medial::reportErrors(
-    this, request, outputVector, [&](const medial::Execution& execution) {
-      const medial::PruneOptions options{ this->Lists->Schedule,
-        static_cast<medial::Topology>(this->Topology), this->RemoveHair, this->RemoveBranches,
-        medial::readCells(axis, this->Lists->PartsToRemove, this->Lists->CellsToRemove) };
-      medial::write(medial::prune(medial::readMedialAxis(axis), options, execution), axis, output,
-        history, removed);
-    });
+  return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
+    const medial::PruneOptions options{ this->Lists->Schedule,
+      static_cast<medial::Topology>(this->Topology), this->RemoveHair, this->RemoveBranches,
+      medial::readCells(axis, this->Lists->PartsToRemove, this->Lists->CellsToRemove) };
+    medial::write(medial::prune(medial::readMedialAxis(axis), options, execution), axis, output,
+      history, removed);
+  });
 }
 
 void vtkMedialPrune::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Schedule: " << this->GetNumberOfIterations() << " iterations
-";
+  os << indent << "Schedule: " << this->GetNumberOfIterations() << " iterations\n";
   medial::print(os, this->Lists->Schedule);
-  os << indent << "Topology: " << (this->Topology == COLLAPSE ? "COLLAPSE" : "NONE") << "
-";
-  os << indent << "RemoveHair: " << (this->RemoveHair ? "on" : "off") << "
-";
-  os << indent << "RemoveBranches: " << (this->RemoveBranches ? "on" : "off") << "
-";
-  os << indent << "PartsToRemove: " << this->GetNumberOfPartsToRemove() << "
-";
-  os << indent << "CellsToRemove: " << this->GetNumberOfCellsToRemove() << "
-";
+  os << indent << "Topology: " << (this->Topology == COLLAPSE ? "COLLAPSE" : "NONE") << "\n";
+  os << indent << "RemoveHair: " << (this->RemoveHair ? "on" : "off") << "\n";
+  os << indent << "RemoveBranches: " << (this->RemoveBranches ? "on" : "off") << "\n";
+  os << indent << "PartsToRemove: " << this->GetNumberOfPartsToRemove() << "\n";
+  os << indent << "CellsToRemove: " << this->GetNumberOfCellsToRemove() << "\n";
 }

@@ -23,18 +23,17 @@ int vtkPolarBalls::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   return medial::requestWholeInputs(this, inputVector);
 }
 
-int vtkPolarBalls::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+int vtkPolarBalls::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return medial::reportErrors(
-    this, request, outputVector, [&](const medial::Execution& execution) {
-      const medial::PolarBalls balls =
-        medial::polarBalls(medial::readSamples(input), execution.part(0, 0.9));
-      const medial::PowerShape shape = medial::powerShape(balls, execution.part(0.9, 1));
-      medial::write(balls, shape.betti, input, output);
-    });
+  return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
+    const medial::PolarBalls balls =
+      medial::polarBalls(medial::readSamples(input), execution.part(0, 0.9));
+    const medial::PowerShape shape = medial::powerShape(balls, execution.part(0.9, 1));
+    medial::write(balls, shape.betti, input, output);
+  });
 }
 
 void vtkPolarBalls::PrintSelf(ostream& os, vtkIndent indent)

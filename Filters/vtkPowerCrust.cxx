@@ -63,21 +63,20 @@ int vtkPowerCrust::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   return medial::requestWholeInputs(this, inputVector);
 }
 
-int vtkPowerCrust::RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+int vtkPowerCrust::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkPolyData* axis = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return medial::reportErrors(
-    this, request, outputVector, [&](const medial::Execution& execution) {
-      const medial::PolarBalls balls = medial::readPolarBalls(input);
-      const KeptBalls kept(axis, balls);
-      const medial::CrustOptions options{ static_cast<medial::CrustRule>(this->Rule),
-        this->Clearance, this->MaximumRounds };
-      medial::write(
-        medial::powerCrust(balls, kept.Flags, options, execution), kept.Parts, input, output);
-    });
+  return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
+    const medial::PolarBalls balls = medial::readPolarBalls(input);
+    const KeptBalls kept(axis, balls);
+    const medial::CrustOptions options{ static_cast<medial::CrustRule>(this->Rule), this->Clearance,
+      this->MaximumRounds };
+    medial::write(
+      medial::powerCrust(balls, kept.Flags, options, execution), kept.Parts, input, output);
+  });
 }
 
 void vtkPowerCrust::PrintSelf(ostream& os, vtkIndent indent)

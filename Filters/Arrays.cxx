@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Arrays.h"
+
+#include "Refuse.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial
+{
+Index toIndex(vtkIdType number, const char* things)
+{
+  if (number < 0 || number >= Largest)
+  {
+    refuse(number, " ", things, ": at most ", Largest - 1, " can be used");
+  }
+  return static_cast<Index>(number);
+}
+
+template <typename... Pieces>
+void Arrays::refuseValue(
+  const char* name, vtkIdType place, double value, const Pieces&... allowed) const
+{
+  refuse("the ", this->Kind, " array '", name, "' has the value ", value, " at ", place, "; only ",
+    allowed..., " can be there: ", this->Remedy);
+}
+
+bool Arrays::has(const char* name) const
+{
+  return this->Data->GetAbstractArray(name) != nullptr;
+}
+
+vtkDataArray* Arrays::find(const char* name, vtkIdType count, int components) const
+{
+  vtkAbstractArray* found = this->Data->GetAbstractArray(name);
+  vtkDataArray* array = vtkDataArray::SafeDownCast(found);
+  if (!array)
+  {
+    refuse(found ? "no numbers in the " : "there is no ", this->Kind, " array '", name,
+      "': ", this->Remedy);
+  }
+  if (array->GetNumberOfComponents() != components)
+  {
+    refuse("the ", this->Kind, " array '", name, "' has ", array->GetNumberOfComponents(),
+      " components instead of ", components, ": ", this->Remedy);
+  }
+  if (count != AnyCount && array->GetNumberOfTuples() != count)
+  {
+    refuse("the ", this->Kind, " array '", name, "' has ", array->GetNumberOfTuples(),
+      " entries instead of ", count, ": ", this->Remedy);
+  }
+  return array;
+}
+
+std::vector<double> Arrays::reals(
+  const char* name, vtkIdType count, double lowest, int components) const
+{
+  vtkDataArray* array = this->find(name, count, components);
+  std::vector<double> result;
+  result.reserve(array->GetNumberOfValues());
+  for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+  {
+    const double value = array->GetComponent(i / components, static_cast<int>(i % components));
+    if (!std::isfinite(value) || value < lowest)
+    {
+      this->refuseValue(name, i / components, value, "finite numbers, not below ", lowest);
+    }
+    result.push_back(value);
+  }
+  return result;
+}
+
+void Arrays::checkWhole(const char* name, vtkDataArray* array) const
+{
+  if (array->GetDataType() == VTK_DOUBLE || array->GetDataType() == VTK_FLOAT)
+  {
+    refuse("the ", this->Kind, " array '", name, "' is of type ", array->GetDataTypeAsString(),
+      " but must hold whole numbers: ", this->Remedy);
+  }
+}
+
+std::vector<Index> Arrays::indices(
+  const char* name, vtkIdType count, Index lowest, Index end, int components) const
+{
+  vtkDataArray* array = this->find(name, count, components);
+  this->checkWhole(name, array);
+  std::vector<Index> result;
+  result.reserve(array->GetNumberOfValues());
+  for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+  {
+    const double value = array->GetComponent(i / components, static_cast<int>(i % components));
+    if (value < lowest || value >= end)
+    {
+      this->refuseValue(name, i / components, value, "numbers ", lowest, " ... ", end - 1);
+    }
+    result.push_back(static_cast<Index>(value));
+  }
+  return result;
+}
+
+std::vector<char> Arrays::flags(const char* name, vtkIdType count) const
+{
+  const std::vector<Index> numbers = this->indices(name, count, 0, 2);
+  return std::vector<char>(numbers.begin(), numbers.end());
+}
+
+Betti Arrays::betti(const char* name) const
+{
+  return this->indexTuples<3>(name, 1, 0, Largest).front();
+}
+
+void Arrays::checkAscending(const char* items, Index number, IndexLists::View list) const
+{
+  if (std::adjacent_find(list.begin(), list.end(), std::greater_equal<Index>()) != list.end())
+  {
+    refuse("list ", number, " in the ", this->Kind, " array '", items,
+      "' does not ascend: ", this->Remedy);
+  }
+}
+
+IndexLists Arrays::lists(const char* offsets, const char* items, vtkIdType count, Index end) const
+{
+  IndexLists result;
+  result.items = this->indices(items, AnyCount, 0, end);
+  const Index size = toIndex(static_cast<vtkIdType>(result.items.size()), "list entries");
+  result.offsets = this->indices(offsets, count + 1, 0, size + 1);
+  if (result.offsets.front() != 0 || result.offsets.back() != size ||
+    !std::is_sorted(result.offsets.begin(), result.offsets.end()))
+  {
+    refuse("the ", this->Kind, " array '", offsets, "' does not ascend from 0 to ", size,
+      ", the length of '", items, "': ", this->Remedy);
+  }
+  for (Index list = 0; list < result.size(); ++list)
+  {
+    this->checkAscending(items, list, result[list]);
+  }
+  return result;
+}
+}
