@@ -495,6 +495,17 @@ std::vector<Point> openBowl()
   return points;
 }
 
+std::vector<Point> cloud(int size, unsigned seed)
+{
+  Random random(seed);
+  std::vector<Point> points;
+  for (int i = 0; i < size; ++i)
+  {
+    points.push_back(uniformInBox(random, Point(0.5, 0.5, 0.5)));
+  }
+  return points;
+}
+
 std::vector<Point> scaled(std::vector<Point> points, double factor)
 {
   for (Point& point : points)

@@ -53,6 +53,9 @@ std::vector<Point> gridCube(int perEdge);
 /// A sphere's samples without those above z = 0.3: no solid at all.
 std::vector<Point> openBowl();
 
+/// Random points in a cube of side 1: no surface.
+std::vector<Point> cloud(int size, unsigned seed);
+
 // Motions.
 
 std::vector<Point> scaled(std::vector<Point> points, double factor);

@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Pipelines_h
+#define Pipelines_h
+
+#include "Complexes.h"
+#include "MedialAxis.h"
+#include "MedialParts.h"
+#include "PolarBalls.h"
+#include "PowerCrust.h"
+#include "PowerShape.h"
+#include "Pruning.h"
+#include "Shapes.h"
+#include "SingularPoints.h"
+#include "Validators.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+/// The stages of a shape, each made when first asked for and kept for the other tests.
+namespace pipelines
+{
+using medial::Index;
+using medial::IndexLists;
+using medial::None;
+using medial::Point;
+
+/// Removes slivers, then features of up to a hundredth and a tenth of the volume.
+inline medial::PruneOptions standardSchedule()
+{
+  medial::PruneOptions options;
+  options.schedule = { { medial::Measure::TriangleCount, 5, 0 },
+    { medial::Measure::TriangleCount, 5, 0 }, { medial::Measure::RelativeVolume, 0.01, 0 },
+    { medial::Measure::RelativeVolume, 0.1, 0 } };
+  return options;
+}
+
+/// For each ball: does it count for a part that is there?
+inline std::vector<char> keptBalls(const medial::MedialAxis& axis, const medial::MedialParts& parts)
+{
+  std::vector<char> keep;
+  for (const Index part : medial::partOfBall(axis, parts.partOfCell))
+  {
+    keep.push_back(part == None ? 0 : 1);
+  }
+  return keep;
+}
+
+class Pipeline
+{
+public:
+  explicit Pipeline(const shapes::Shape& aShape)
+    : shape(aShape)
+    , diagonal(validators::diagonal(aShape.samples))
+  {
+  }
+
+  const shapes::Shape shape;
+  const double diagonal; ///< of the samples' bounding box
+
+  const medial::PolarBalls& balls()
+  {
+    return once(this->theBalls, [this] { return medial::polarBalls(this->shape.samples); });
+  }
+  const medial::PowerShape& powerShape()
+  {
+    return once(this->thePowerShape, [this] { return medial::powerShape(this->balls()); });
+  }
+  const medial::SingularPoints& sites()
+  {
+    return once(
+      this->theSites, [this] { return medial::singularPoints(this->balls(), this->powerShape()); });
+  }
+  const medial::MedialAxis& axis()
+  {
+    return once(this->theAxis, [this] { return medial::medialAxis(this->balls()); });
+  }
+  const medial::MedialParts& parts()
+  {
+    return once(this->theParts, [this] { return medial::decompose(this->axis()); });
+  }
+  const medial::Pruned& pruned()
+  {
+    return once(
+      this->thePruned, [this] { return medial::prune(this->axis(), standardSchedule()); });
+  }
+  const medial::Crust& crust()
+  {
+    return once(this->theCrust, [this] { return medial::powerCrust(this->balls()); });
+  }
+  std::vector<char> keptAfterPruning()
+  {
+    return keptBalls(this->pruned().axis, this->pruned().parts);
+  }
+  const medial::Crust& crustAfterPruning()
+  {
+    return once(this->theCrustAfterPruning,
+      [this] { return medial::powerCrust(this->balls(), this->keptAfterPruning()); });
+  }
+
+private:
+  template <typename Value, typename Make>
+  static const Value& once(std::optional<Value>& value, const Make& make)
+  {
+    if (!value)
+    {
+      value = make();
+    }
+    return *value;
+  }
+
+  std::optional<medial::PolarBalls> theBalls;
+  std::optional<medial::PowerShape> thePowerShape;
+  std::optional<medial::SingularPoints> theSites;
+  std::optional<medial::MedialAxis> theAxis;
+  std::optional<medial::MedialParts> theParts;
+  std::optional<medial::Pruned> thePruned;
+  std::optional<medial::Crust> theCrust, theCrustAfterPruning;
+};
+
+/// One for each of shapes::all().
+inline std::deque<Pipeline>& all()
+{
+  static std::deque<Pipeline> pipelines(shapes::all().begin(), shapes::all().end());
+  return pipelines;
+}
+
+inline Pipeline& of(const std::string& name)
+{
+  for (Pipeline& pipeline : all())
+  {
+    if (pipeline.shape.name == name)
+    {
+      return pipeline;
+    }
+  }
+  throw std::invalid_argument("no shape is called " + name);
+}
+
+/// Runs the test for every shape, and says for which it fails.
+inline void forEachShape(const std::function<void(Pipeline&)>& test)
+{
+  for (Pipeline& pipeline : all())
+  {
+    SCOPED_TRACE(testing::Message() << pipeline.shape.name << ", seed " << pipeline.shape.seed);
+    test(pipeline);
+  }
+}
+
+/// Ranges of different lengths, taken by several threads in no particular order.
+inline medial::Execution threaded(unsigned threadCount = 4)
+{
+  medial::Execution execution;
+  execution.parallelFor = [threadCount](Index count, const medial::Execution::Range& body) {
+    std::atomic<Index> next{ 0 };
+    const auto work = [&] {
+      for (Index step = 1;; step = step % 61 + 7)
+      {
+        const Index begin = next.fetch_add(step);
+        if (begin >= count)
+        {
+          return;
+        }
+        body(begin, std::min(count, begin + step));
+      }
+    };
+    std::vector<std::thread> threads;
+    for (unsigned i = 1; i < threadCount; ++i)
+    {
+      threads.emplace_back(work);
+    }
+    work();
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+  };
+  return execution;
+}
+
+/// All that progress said.
+struct Watch
+{
+  std::vector<double> reports;
+  double stopAt = 2; ///< where progress says no
+
+  medial::Execution execution()
+  {
+    medial::Execution execution;
+    execution.progress = [this](double done) {
+      this->reports.push_back(done);
+      return done < this->stopAt;
+    };
+    return execution;
+  }
+};
+
+/// The stage reports often, upwards and within 0 ... 1, and stops where it is told to.
+inline void expectProgressAndAbort(const std::function<void(const medial::Execution&)>& stage)
+{
+  Watch watch;
+  stage(watch.execution());
+  EXPECT_GE(watch.reports.size(), 2u);
+  double last = 0;
+  for (const double done : watch.reports)
+  {
+    EXPECT_GE(done, last);
+    EXPECT_LE(done, 1);
+    last = done;
+  }
+  for (const double stopAt : { 0.0, 0.3, 0.6, 0.9 })
+  {
+    SCOPED_TRACE(testing::Message() << "stopped at " << stopAt);
+    Watch stopped;
+    stopped.stopAt = stopAt;
+    const bool everThere = last >= stopAt;
+    if (everThere)
+    {
+      EXPECT_THROW(stage(stopped.execution()), medial::Aborted);
+    }
+    EXPECT_TRUE(everThere) << "progress ended at " << last;
+  }
+}
+
+/// The contents of a result, to compare bit by bit.
+class Bytes
+{
+public:
+  template <typename Item>
+  Bytes& add(const std::vector<Item>& items)
+  {
+    // Without padding: numbers and fixed arrays of them.
+    const auto* first = reinterpret_cast<const char*>(items.data());
+    this->text += std::to_string(items.size()) + ":";
+    this->text.append(first, items.size() * sizeof(Item));
+    return *this;
+  }
+  Bytes& add(const IndexLists& lists) { return this->add(lists.offsets).add(lists.items); }
+  template <typename Number>
+  std::enable_if_t<std::is_arithmetic_v<Number> || std::is_enum_v<Number>, Bytes&> add(
+    Number number)
+  {
+    return this->add(std::vector<double>{ static_cast<double>(number) });
+  }
+  Bytes& add(const medial::Betti& betti)
+  {
+    return this->add(std::vector<Index>(betti.begin(), betti.end()));
+  }
+  Bytes& add(const Point& point) { return this->add(std::vector<Point>{ point }); }
+
+  std::string text;
+};
+
+inline std::string bytesOf(const medial::PolarBalls& b)
+{
+  Bytes bytes;
+  bytes.add(b.samples).add(b.duplicateOf).add(b.innerBall).add(b.outerBall).add(b.samplingQuality);
+  bytes.add(b.balls).add(b.sides).add(b.touchesGuard).add(b.volumes).add(b.ballSamples);
+  return bytes.add(b.spacing).add(b.cells).text;
+}
+
+inline std::string bytesOf(const medial::SingularPoints& s)
+{
+  return Bytes().add(s.positions).add(s.samples).add(s.balls).text;
+}
+
+inline std::string bytesOf(const medial::MedialAxis& a)
+{
+  Bytes bytes;
+  bytes.add(a.points).add(a.radii).add(a.ballOfPoint);
+  bytes.add(a.cells.vertices).add(a.cells.edges).add(a.cells.triangles);
+  bytes.add(a.polygonOfCell).add(a.samplesOfCell).add(a.ballOwner).add(a.ballVolumes);
+  bytes.add(a.powerShapeBetti).add(a.betti).add(a.certificate).add(a.fallback).add(a.kappa);
+  return bytes.text;
+}
+
+inline std::string bytesOf(const medial::MedialParts& p)
+{
+  Bytes bytes;
+  bytes.add(p.partOfCell);
+  for (const medial::MedialPart& part : p.parts)
+  {
+    bytes.add(part.dimension).add(part.level).add(part.triangles).add(part.area);
+    bytes.add(part.volume).add(part.relativeVolume).add(part.meanRadius);
+    bytes.add(part.minimumRadius).add(part.maximumRadius).add(part.contacts);
+    bytes.add(part.lower).add(part.upper);
+  }
+  for (const medial::ContactCurve& curve : p.contacts)
+  {
+    bytes.add(curve.points).add(curve.parts);
+  }
+  return bytes.text;
+}
+
+inline std::string bytesOf(const medial::Pruned& p)
+{
+  Bytes bytes;
+  bytes.text = bytesOf(p.axis) + bytesOf(p.parts);
+  bytes.add(p.keepReason).add(p.inputCell).add(p.removedInIteration).add(p.removedPart);
+  for (const medial::PruneRow& row : p.history)
+  {
+    bytes.add(row.byHand).add(row.measure).add(row.threshold).add(row.passes);
+    bytes.add(row.partsBefore).add(row.partsAfter).add(row.candidates).add(row.removed);
+    bytes.add(row.refused).add(row.betti).add(row.volumeRemoved);
+  }
+  return bytes.text;
+}
+
+inline std::string bytesOf(const medial::Crust& c)
+{
+  Bytes bytes;
+  bytes.add(c.points).add(c.sampleOfPoint).add(c.faces).add(c.innerBall).add(c.outerBall);
+  bytes.add(c.betti).add(c.closed).add(c.manifold).add(c.volume).add(c.insertedBalls);
+  return bytes.add(c.rounds).add(c.maximumClearance).text;
+}
+
+inline std::vector<double> times(std::vector<double> values, double factor)
+{
+  for (double& value : values)
+  {
+    value *= factor;
+  }
+  return values;
+}
+
+/// The same in another unit; exact where the factor is a power of two.
+inline medial::PolarBalls inUnits(medial::PolarBalls b, double factor)
+{
+  b.samples = shapes::scaled(b.samples, factor);
+  b.spacing *= factor;
+  for (medial::Ball& ball : b.balls)
+  {
+    ball = { ball.center * factor, ball.radius * factor };
+  }
+  b.volumes = times(b.volumes, factor * factor * factor);
+  return b;
+}
+
+inline medial::MedialAxis inUnits(medial::MedialAxis a, double factor)
+{
+  a.points = shapes::scaled(a.points, factor);
+  a.radii = times(a.radii, factor);
+  a.ballVolumes = times(a.ballVolumes, factor * factor * factor);
+  return a;
+}
+
+inline medial::Crust inUnits(medial::Crust c, double factor)
+{
+  c.points = shapes::scaled(c.points, factor);
+  c.volume *= factor * factor * factor;
+  return c;
+}
+
+/// The axis as polygons, whatever diagonals they were cut along.
+inline validators::Polygons polygonsOf(const medial::MedialAxis& axis)
+{
+  validators::Polygons result{ axis.points, {} };
+  for (const Index vertex : axis.cells.vertices)
+  {
+    result.polygons.push_back({ vertex });
+  }
+  for (const medial::Edge& edge : axis.cells.edges)
+  {
+    result.polygons.emplace_back(edge.begin(), edge.end());
+  }
+  std::map<Index, std::vector<Index>> polygons;
+  for (Index t = 0; t < medial::count(axis.cells.triangles); ++t)
+  {
+    std::vector<Index>& polygon = polygons[axis.polygonOfCell[axis.cells.firstTriangle() + t]];
+    const medial::Triangle& triangle = axis.cells.triangles[t];
+    polygon.insert(polygon.end(), triangle.begin(), triangle.end());
+  }
+  for (const auto& [number, corners] : polygons)
+  {
+    result.polygons.push_back(corners);
+  }
+  return result;
+}
+
+/// The same with other coordinates.
+inline validators::Polygons placedAt(validators::Polygons polygons, std::vector<Point> points)
+{
+  polygons.points = std::move(points);
+  return polygons;
+}
+
+inline medial::Betti independentBetti(const medial::MedialAxis& axis)
+{
+  return validators::bettiNumbers(complexes::complexOf(axis.cells));
+}
+}
+
+#endif
