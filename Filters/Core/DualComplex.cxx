@@ -2,6 +2,7 @@
 #include "DualComplex.h"
 
 #include "DisjointSets.h"
+#include "PoleMerging.h"
 #include "Polygons.h"
 
 #include <algorithm>
@@ -153,38 +154,6 @@ Vertices mergedVertices(const SiteTriangulation& sites, const OpenSet& set)
   return result;
 }
 
-/// A face of the axis before it is triangulated; with two corners it is an edge.
-struct Polygon
-{
-  std::vector<Index> corners;
-  Index siteEdge;
-};
-
-/// Cuts a closed walk where it visits a vertex again; drops pieces of one corner.
-void appendSimplePolygons(
-  const std::vector<Index>& walk, Index siteEdge, std::vector<Polygon>& polygons)
-{
-  std::vector<Index> path;
-  const auto emit = [&](std::vector<Index> corners) {
-    if (corners.size() > 1)
-    {
-      polygons.push_back({ std::move(corners), siteEdge });
-    }
-  };
-  for (const Index vertex : walk)
-  {
-    const auto before = std::find(path.begin(), path.end(), vertex);
-    if (before == path.end())
-    {
-      path.push_back(vertex);
-      continue;
-    }
-    emit({ before, path.end() });
-    path.erase(before + 1, path.end());
-  }
-  emit(path);
-}
-
 std::vector<Polygon> facePolygons(
   const SiteTriangulation& sites, const Faces& faces, const Vertices& vertices)
 {
@@ -208,11 +177,10 @@ std::vector<Polygon> facePolygons(
   return polygons;
 }
 
-/// The Voronoi edges in the set that are in no face.
-std::vector<Edge> edgesWithoutFace(const SiteTriangulation& sites, const OpenSet& set,
-  const Faces& faces, const Vertices& vertices)
+/// Appends the Voronoi edges in the set that are in no face.
+void appendEdgesWithoutFace(const SiteTriangulation& sites, const OpenSet& set, const Faces& faces,
+  const Vertices& vertices, std::vector<Polygon>& polygons)
 {
-  std::vector<Edge> result;
   for (Index c = 0; c < count(set.cells); ++c)
   {
     for (int i = 0; i < 4 && set.cells[c]; ++i)
@@ -228,30 +196,56 @@ std::vector<Edge> edgesWithoutFace(const SiteTriangulation& sites, const OpenSet
         const bool inFacet = cellEdges[k][0] != i && cellEdges[k][1] != i;
         inFace = inFace || (inFacet && faces[sites.edges.ofCell[c][k]] != None);
       }
-      if (!inFace)
+      if (!inFace && vertices.ofCell[c] != vertices.ofCell[n])
       {
-        result.push_back({ vertices.ofCell[c], vertices.ofCell[n] });
+        polygons.push_back({ { vertices.ofCell[c], vertices.ofCell[n] }, None });
       }
     }
   }
-  return result;
 }
 
+/// Adds the vertices as points of the axis, but for merged ones, and the midpoints; renumbers the
+/// corners of the polygons.
 void addPoints(const PolarBalls& polarBalls, const SiteTriangulation& sites, const Frame& frame,
-  const Vertices& vertices, MedialAxis& axis)
+  const Vertices& vertices, const MergedPoles& merging, std::vector<Polygon>& polygons,
+  MedialAxis& axis)
 {
-  for (Index v = 0; v < count(vertices.firstCell); ++v)
-  {
-    const Index ball = vertices.ball[v];
-    const Ball sphere = ball != None ? polarBalls.balls[ball]
-                                     : frame.toWorld(sites.spheres[vertices.firstCell[v]]);
+  std::vector<Ball> spheres;
+  std::vector<Index> number;
+  const auto add = [&](const Ball& sphere, Index ball) {
+    number.push_back(count(axis.points));
     axis.points.push_back(sphere.center);
     axis.radii.push_back(sphere.radius);
     axis.ballOfPoint.push_back(ball);
+  };
+  for (Index v = 0; v < count(vertices.firstCell); ++v)
+  {
+    const Index ball = vertices.ball[v];
+    spheres.push_back(ball != None ? polarBalls.balls[ball]
+                                   : frame.toWorld(sites.spheres[vertices.firstCell[v]]));
+    if (merging.merged[v])
+    {
+      number.push_back(None);
+      continue;
+    }
+    add(spheres.back(), ball);
+  }
+  for (const Edge& side : merging.midpoints)
+  {
+    const Ball &a = spheres[side[0]], &b = spheres[side[1]];
+    spheres.push_back({ 0.5 * (a.center + b.center), 0.5 * (a.radius + b.radius) });
+    add(spheres.back(), None);
+  }
+  for (Polygon& polygon : polygons)
+  {
+    for (Index& v : polygon.corners)
+    {
+      v = number[v];
+    }
   }
 }
 
-/// Triangulates polygons into cells of the axis; returns their edges and those of two-gons.
+/// Triangulates polygons into cells of the axis.
 void addTriangles(const std::vector<Polygon>& polygons, const SiteTriangulation& sites,
   const std::vector<Index>& samples, EdgeSet& edges, MedialAxis& axis)
 {
@@ -263,7 +257,9 @@ void addTriangles(const std::vector<Polygon>& polygons, const SiteTriangulation&
     {
       continue;
     }
-    const Edge& ends = sites.edges.edges[polygon.siteEdge];
+    const Edge ends = polygon.siteEdge == None ? Edge{ None, None }
+                                               : sites.edges.edges[polygon.siteEdge];
+    const auto sampleOf = [&](int k) { return ends[k] == None ? None : samples[ends[k]]; };
     double radius = 0;
     for (const Index p : polygon.corners)
     {
@@ -277,7 +273,7 @@ void addTriangles(const std::vector<Polygon>& polygons, const SiteTriangulation&
       {
         axis.cells.triangles.push_back(triangle);
         axis.polygonOfCell.push_back(number);
-        axis.samplesOfCell.push_back({ samples[ends[0]], samples[ends[1]] });
+        axis.samplesOfCell.push_back({ sampleOf(0), sampleOf(1) });
       }
     }
     if (axis.points.size() > axis.radii.size())
@@ -300,7 +296,7 @@ void addLowerCells(std::vector<Edge> dangling, const EdgeSet& sidesOfFaces, Medi
   dangling.erase(std::unique(dangling.begin(), dangling.end()), dangling.end());
   for (const Edge& edge : dangling)
   {
-    if (edge[0] != edge[1] && !sidesOfFaces.contains(edge[0], edge[1]))
+    if (!sidesOfFaces.contains(edge[0], edge[1]))
     {
       axis.cells.edges.push_back(edge);
     }
@@ -335,11 +331,13 @@ MedialAxis dualComplex(const PolarBalls& polarBalls, const SingularPoints& singu
 {
   const Faces faces = keptFaces(sites, set);
   const Vertices vertices = mergedVertices(sites, set);
-  const std::vector<Polygon> polygons = facePolygons(sites, faces, vertices);
-  std::vector<Edge> dangling = edgesWithoutFace(sites, set, faces, vertices);
+  std::vector<Polygon> polygons = facePolygons(sites, faces, vertices);
+  appendEdgesWithoutFace(sites, set, faces, vertices, polygons);
+  const MergedPoles merging = mergePoles(vertices.ball, polygons);
 
   MedialAxis axis{};
-  addPoints(polarBalls, sites, frame, vertices, axis);
+  addPoints(polarBalls, sites, frame, vertices, merging, polygons, axis);
+  std::vector<Edge> dangling;
   EdgeSet sides, all;
   for (const Polygon& polygon : polygons)
   {
@@ -348,19 +346,15 @@ MedialAxis dualComplex(const PolarBalls& polarBalls, const SingularPoints& singu
     {
       const Index a = corners[k], b = corners[(k + 1) % corners.size()];
       all.insert(a, b);
-      if (corners.size() == 2)
-      {
-        dangling.push_back({ a, b });
-      }
-      else
+      if (corners.size() > 2)
       {
         sides.insert(a, b);
       }
     }
-  }
-  for (const Edge& edge : dangling)
-  {
-    all.insert(edge[0], edge[1]);
+    if (corners.size() == 2)
+    {
+      dangling.push_back({ corners[0], corners[1] });
+    }
   }
   addTriangles(polygons, sites, singularPoints.samples, all, axis);
   addLowerCells(std::move(dangling), sides, axis);
