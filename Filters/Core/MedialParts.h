@@ -49,6 +49,10 @@ MedialParts decompose(
 /// For each polar ball the part that it counts for: of the parts with most of the cells at its
 /// medial point the first; a ball off the axis follows its owner. None where its owner is gone.
 std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell);
+
+/// For each polar ball: does it or its owner lie on a point that a cell of the axis uses? After
+/// pruning these are the balls that make the surface (paper 5).
+std::vector<char> keptBalls(const MedialAxis& axis);
 }
 
 #endif
