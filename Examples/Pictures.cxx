@@ -129,8 +129,8 @@ vtkSmartPointer<vtkRenderer> rendererOf(
   renderer->SetBackground(1, 1, 1);
   renderer->AddActor(actorOf(stage, data, view, scale));
   renderer->AutomaticLightCreationOff();
-  addLight(renderer, -0.6, 0.8, 1, 0.75);
-  addLight(renderer, 0.9, 0.2, 0.7, 0.3);
+  addLight(renderer, -0.6, 0.8, 1, 0.65);
+  addLight(renderer, 0.9, 0.1, 0.7, 0.35);
   view.apply(renderer, aspect);
   return renderer;
 }

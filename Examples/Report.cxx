@@ -146,17 +146,6 @@ double peakMemoryMiB()
   return std::round(usage.ru_maxrss / 1024.0); // Linux counts in KiB
 }
 
-/// A count with its thousands apart.
-std::string grouped(double value)
-{
-  std::string digits = std::to_string(static_cast<long long>(value));
-  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
-  {
-    digits.insert(i, ",");
-  }
-  return digits;
-}
-
 std::string scheduleLines(const Pipeline& pipeline, const Arguments& arguments)
 {
   vtkTable* history = vtkTable::SafeDownCast(pipeline.prune->GetOutputDataObject(1));
@@ -245,6 +234,16 @@ std::string summary(const Pipeline& pipeline, const Arguments& arguments, double
       << std::fixed << std::setprecision(1) << total << " s, " << std::setprecision(0)
       << peakMemoryMiB() << " MiB; results in " << arguments.output << "/\n";
   return out.str();
+}
+
+std::string grouped(double count)
+{
+  std::string digits = std::to_string(static_cast<long long>(count));
+  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
+  {
+    digits.insert(i, ",");
+  }
+  return digits;
 }
 
 bool isCertified(const Pipeline& pipeline)

@@ -14,6 +14,9 @@ std::string report(const Pipeline& pipeline, double total);
 /// The few lines printed at the end.
 std::string summary(const Pipeline& pipeline, const Arguments& arguments, double total);
 
+/// A count with commas between thousands.
+std::string grouped(double count);
+
 /// Does the axis have the topology of the power shape?
 bool isCertified(const Pipeline& pipeline);
 

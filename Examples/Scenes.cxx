@@ -51,8 +51,8 @@ vtkSmartPointer<vtkActor> colouredActor(vtkPolyData* data, vtkUnsignedCharArray*
 void lookLikeSheets(vtkActor* actor, double scale)
 {
   vtkProperty* look = actor->GetProperty();
-  look->SetAmbient(0.25);
-  look->SetDiffuse(0.8);
+  look->SetAmbient(0.42);
+  look->SetDiffuse(0.68);
   look->SetInterpolationToFlat();
   look->SetLineWidth(static_cast<float>(1.5 * scale));
   look->SetPointSize(static_cast<float>(3 * scale));
@@ -61,8 +61,8 @@ void lookLikeSheets(vtkActor* actor, double scale)
 /// Dark blue over green to yellow, of steadily growing lightness.
 vtkSmartPointer<vtkColorTransferFunction> radiusColors(const double range[2])
 {
-  static const double lab[][3] = { { 18, 32, -46 }, { 34, 10, -42 }, { 50, -18, -22 },
-    { 66, -40, 12 }, { 80, -28, 58 }, { 92, -6, 78 } };
+  static const double lab[][3] = { { 30, 36, -58 }, { 42, 8, -46 }, { 55, -20, -24 },
+    { 69, -42, 14 }, { 82, -28, 60 }, { 93, -6, 78 } };
   auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
   colors->SetColorSpaceToLab();
   for (int i = 0; i < 6; ++i)

@@ -58,11 +58,11 @@ void writeData(const Pipeline& pipeline, OutputFolder& folder)
 Stages stagesOf(const Pipeline& pipeline, vtkPolyData* samples)
 {
   const auto parts = [](vtkDataObject* axis) {
-    const auto count = static_cast<vtkIdType>(fieldValue(axis, "NumberOfParts"));
-    return std::to_string(count) + (count == 1 ? " part" : " parts");
+    const double count = fieldValue(axis, "NumberOfParts");
+    return grouped(count) + (count == 1 ? " part" : " parts");
   };
   return { {
-    { "samples", std::to_string(samples->GetNumberOfPoints()) + " samples", samples },
+    { "samples", grouped(double(samples->GetNumberOfPoints())) + " samples", samples },
     { "axis", "medial axis", pipeline.axis->GetOutput() },
     { "parts", parts(pipeline.parts->GetOutput()), pipeline.parts->GetOutput() },
     { "pruned", "pruned to " + parts(pipeline.prune->GetOutput()), pipeline.prune->GetOutput() },
@@ -99,7 +99,13 @@ ExitCode simplify(const Arguments& arguments)
   {
     std::cout << summary(pipeline, arguments, total);
   }
-  return arguments.strict && !isCertified(pipeline) ? NotCertified : Done;
+  if (arguments.strict && !isCertified(pipeline))
+  {
+    std::cerr << "SimplifyShape: the topology of the axis is not certified; see betti in "
+              << arguments.output << "/report.json\n";
+    return NotCertified;
+  }
+  return Done;
 }
 
 int fail(const std::exception& error, ExitCode code)
