@@ -1,0 +1,584 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipelines.h"
+
+#include "Pruning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+using complexes::Drawing;
+using medial::Betti;
+using medial::Edge;
+using medial::Index;
+using medial::KeepReason;
+using medial::Measure;
+using medial::MedialAxis;
+using medial::None;
+using medial::Point;
+using medial::Pruned;
+using medial::PruneIteration;
+using medial::PruneOptions;
+using medial::PruneRow;
+using medial::Topology;
+using medial::Triangle;
+using pipelines::forEachShape;
+using pipelines::Pipeline;
+
+namespace
+{
+PruneOptions once(Measure measure, double threshold, int passes = 0)
+{
+  PruneOptions options;
+  options.schedule = { PruneIteration{ measure, threshold, passes } };
+  return options;
+}
+
+PruneOptions byHand(std::vector<Index> cells)
+{
+  PruneOptions options;
+  options.cellsToRemove = std::move(cells);
+  return options;
+}
+
+/// The corners of all cells of an axis in their order.
+std::vector<std::vector<Index>> corners(const MedialAxis& axis)
+{
+  std::vector<std::vector<Index>> result;
+  for (const Index vertex : axis.cells.vertices)
+  {
+    result.push_back({ vertex });
+  }
+  for (const Edge& edge : axis.cells.edges)
+  {
+    result.emplace_back(edge.begin(), edge.end());
+  }
+  for (const Triangle& triangle : axis.cells.triangles)
+  {
+    result.emplace_back(triangle.begin(), triangle.end());
+  }
+  return result;
+}
+
+/// What is left, what went and what is said about it fit together.
+void expectConsistent(const MedialAxis& input, const Pruned& pruned)
+{
+  const Index rows = medial::count(pruned.history);
+  const auto before = corners(input), after = corners(pruned.axis);
+  ASSERT_EQ(pruned.inputCell.size(), after.size());
+  ASSERT_EQ(pruned.removedInIteration.size(), before.size());
+  ASSERT_EQ(pruned.removedPart.size(), before.size());
+  ASSERT_EQ(pruned.keepReason.size(), pruned.parts.parts.size());
+  std::set<Index> living;
+  for (std::size_t cell = 0; cell < after.size(); ++cell)
+  {
+    const Index from = pruned.inputCell[cell];
+    ASSERT_TRUE(living.insert(from).second);
+    ASSERT_EQ(after[cell], before.at(static_cast<std::size_t>(from)));
+    ASSERT_EQ(pruned.axis.samplesOfCell[cell], input.samplesOfCell[from]);
+    ASSERT_EQ(pruned.axis.polygonOfCell[cell], input.polygonOfCell[from]);
+  }
+  for (Index cell = 0; cell < medial::count(before); ++cell)
+  {
+    const Index row = pruned.removedInIteration[cell];
+    ASSERT_EQ(row == None, living.count(cell) == 1) << "cell " << cell;
+    ASSERT_EQ(row == None, pruned.removedPart[cell] == None) << "cell " << cell;
+    ASSERT_TRUE(row >= None && row < rows);
+  }
+  EXPECT_EQ(pruned.axis.points, input.points);
+  EXPECT_EQ(pruned.axis.radii, input.radii);
+  EXPECT_EQ(pruned.axis.ballOfPoint, input.ballOfPoint);
+}
+
+void expectBetti(const Pruned& pruned, const Betti& betti)
+{
+  EXPECT_EQ(pruned.axis.betti, betti);
+  EXPECT_EQ(pipelines::independentBetti(pruned.axis), betti);
+  for (const PruneRow& row : pruned.history)
+  {
+    EXPECT_EQ(row.betti, betti);
+  }
+}
+
+std::set<Index> removedTriangles(const MedialAxis& axis, const Pruned& pruned)
+{
+  std::set<Index> removed;
+  for (Index cell = axis.cells.firstTriangle(); cell < axis.cells.size(); ++cell)
+  {
+    if (pruned.removedInIteration[cell] != None)
+    {
+      removed.insert(cell);
+    }
+  }
+  return removed;
+}
+
+Index firstTriangleOf(const MedialAxis& axis, const medial::MedialParts& parts, Index part)
+{
+  Index cell = axis.cells.firstTriangle();
+  while (parts.partOfCell.at(static_cast<std::size_t>(cell)) != part)
+  {
+    ++cell;
+  }
+  return cell;
+}
+}
+
+TEST(Pruning, KeepsTheBettiNumbers)
+{
+  forEachShape([](Pipeline& p) { expectBetti(p.pruned(), p.shape.betti); });
+}
+
+TEST(Pruning, KeepsTheBettiNumbersOfRandomComplexes)
+{
+  for (unsigned seed = 0; seed < 60; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const MedialAxis axis = complexes::randomComplex(seed).axis();
+    PruneOptions options;
+    options.schedule = { { Measure::TriangleCount, 1, 1 }, { Measure::RelativeVolume, 0.2, 0 },
+      { Measure::TriangleCount, 1000, 0 } };
+    for (const bool branches : { false, true })
+    {
+      options.removeBranches = branches;
+      options.removeHair = seed % 3 != 0;
+      const Pruned pruned = medial::prune(axis, options);
+      expectBetti(pruned, axis.betti);
+      expectConsistent(axis, pruned);
+    }
+  }
+}
+
+TEST(Pruning, ByHandKeepsTheBettiNumbersOfRandomComplexes)
+{
+  for (unsigned seed = 100; seed < 130; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const MedialAxis axis = complexes::randomComplex(seed).axis();
+    std::vector<Index> cells;
+    for (Index cell = 0; cell < axis.cells.size(); cell += 2)
+    {
+      cells.push_back(cell);
+    }
+    const Pruned pruned = medial::prune(axis, byHand(cells));
+    expectBetti(pruned, axis.betti);
+    expectConsistent(axis, pruned);
+    ASSERT_EQ(pruned.history.size(), 1u);
+    EXPECT_TRUE(pruned.history.back().byHand);
+  }
+}
+
+TEST(Pruning, SaysWhatWentAndWhatStayed)
+{
+  forEachShape([](Pipeline& p) { expectConsistent(p.axis(), p.pruned()); });
+}
+
+TEST(Pruning, LeavesThePartsOfWhatLives)
+{
+  forEachShape([](Pipeline& p) {
+    EXPECT_EQ(
+      pipelines::bytesOf(p.pruned().parts), pipelines::bytesOf(medial::decompose(p.pruned().axis)));
+  });
+}
+
+TEST(Pruning, HistoryAddsUp)
+{
+  forEachShape([](Pipeline& p) {
+    const std::vector<PruneRow>& history = p.pruned().history;
+    const auto schedule = pipelines::standardSchedule().schedule;
+    ASSERT_EQ(history.size(), schedule.size());
+    EXPECT_EQ(history.front().partsBefore, medial::count(p.parts().parts));
+    EXPECT_EQ(history.back().partsAfter, medial::count(p.pruned().parts.parts));
+    double volume = 0;
+    for (std::size_t i = 0; i < history.size(); ++i)
+    {
+      const PruneRow& row = history[i];
+      EXPECT_TRUE(i == 0 || row.partsBefore == history[i - 1].partsAfter);
+      EXPECT_FALSE(row.byHand);
+      EXPECT_EQ(row.measure, schedule[i].measure);
+      EXPECT_EQ(row.threshold, schedule[i].threshold);
+      EXPECT_GE(row.passes, 1);
+      EXPECT_GE(row.candidates, row.refused);
+      EXPECT_GE(row.volumeRemoved, 0);
+      volume += row.volumeRemoved;
+    }
+    EXPECT_LE(volume, 1 + 1e-9);
+  });
+}
+
+TEST(Pruning, VolumeRemovedIsThatOfTheBallsThatWent)
+{
+  forEachShape([](Pipeline& p) {
+    double gone = 0, all = 0, said = 0;
+    const std::vector<char> keep = p.keptAfterPruning();
+    for (std::size_t b = 0; b < keep.size(); ++b)
+    {
+      all += p.axis().ballVolumes[b];
+      gone += keep[b] ? 0 : p.axis().ballVolumes[b];
+    }
+    for (const PruneRow& row : p.pruned().history)
+    {
+      said += row.volumeRemoved;
+    }
+    EXPECT_NEAR(said, gone / all, 1e-9);
+  });
+}
+
+TEST(Pruning, WithAnEmptyScheduleChangesNothing)
+{
+  forEachShape([](Pipeline& p) {
+    const Pruned pruned = medial::prune(p.axis(), {});
+    EXPECT_EQ(pipelines::bytesOf(pruned.axis), pipelines::bytesOf(p.axis()));
+    EXPECT_EQ(pipelines::bytesOf(pruned.parts), pipelines::bytesOf(p.parts()));
+    EXPECT_TRUE(pruned.history.empty());
+  });
+}
+
+TEST(Pruning, WithThresholdZeroRemovesNoTriangle)
+{
+  forEachShape([](Pipeline& p) {
+    const Pruned pruned = medial::prune(p.axis(), once(Measure::TriangleCount, 0));
+    EXPECT_EQ(pruned.axis.cells.triangles, p.axis().cells.triangles);
+    const Pruned byVolume = medial::prune(p.axis(), once(Measure::RelativeVolume, 0));
+    ASSERT_EQ(byVolume.history.size(), 1u);
+    EXPECT_EQ(byVolume.history[0].volumeRemoved, 0);
+  });
+}
+
+TEST(Pruning, UntilNothingChangesLeavesNothingToDo)
+{
+  forEachShape([](Pipeline& p) {
+    for (const PruneIteration& iteration : { PruneIteration{ Measure::TriangleCount, 5, 0 },
+           PruneIteration{ Measure::RelativeVolume, 0.01, 0 } })
+    {
+      PruneOptions options;
+      options.schedule = { iteration };
+      const Pruned first = medial::prune(p.axis(), options);
+      const Pruned second = medial::prune(first.axis, options);
+      EXPECT_EQ(corners(second.axis), corners(first.axis));
+      EXPECT_EQ(second.history.at(0).removed, 0);
+    }
+  });
+}
+
+TEST(Pruning, InOnePassIsThePapers)
+{
+  forEachShape([](Pipeline& p) {
+    const Pruned pruned = medial::prune(p.axis(), once(Measure::TriangleCount, 5, 1));
+    EXPECT_EQ(pruned.history.at(0).passes, 1);
+    expectBetti(pruned, p.shape.betti);
+  });
+}
+
+TEST(Pruning, RemovesSmallPartsOnly)
+{
+  forEachShape([](Pipeline& p) {
+    PruneOptions options = once(Measure::TriangleCount, 5, 1);
+    options.removeBranches = false;
+    const Pruned pruned = medial::prune(p.axis(), options);
+    for (const Index cell : removedTriangles(p.axis(), pruned))
+    {
+      const medial::MedialPart& part = p.parts().parts[p.parts().partOfCell[cell]];
+      EXPECT_LE(part.triangles, 5);
+      EXPECT_EQ(part.level, 1);
+    }
+  });
+}
+
+TEST(Pruning, WithoutTopologyRemovesAllSmallPartsOfLevelOne)
+{
+  // The control: exactly the parts of level 1 up to the threshold, so more with a higher one.
+  forEachShape([](Pipeline& p) {
+    std::set<Index> before;
+    for (const double threshold : { 2.0, 5.0, 40.0 })
+    {
+      PruneOptions options = once(Measure::TriangleCount, threshold, 1);
+      options.topology = Topology::None;
+      options.removeHair = options.removeBranches = false;
+      const std::set<Index> removed = removedTriangles(p.axis(), medial::prune(p.axis(), options));
+      std::set<Index> expected;
+      for (Index cell = p.axis().cells.firstTriangle(); cell < p.axis().cells.size(); ++cell)
+      {
+        const medial::MedialPart& part = p.parts().parts[p.parts().partOfCell[cell]];
+        if (part.level == 1 && part.triangles <= threshold)
+        {
+          expected.insert(cell);
+        }
+      }
+      EXPECT_EQ(removed, expected) << "threshold " << threshold;
+      EXPECT_TRUE(std::includes(removed.begin(), removed.end(), before.begin(), before.end()));
+      before = removed;
+    }
+  });
+}
+
+TEST(Pruning, WithoutTopologyLosesTheLoop)
+{
+  PruneOptions options = once(Measure::TriangleCount, 1e9);
+  options.topology = Topology::None;
+  const MedialAxis axis = complexes::cycleWithLoop().axis();
+  ASSERT_EQ(axis.betti, (Betti{ 1, 1, 0 }));
+  EXPECT_NE(medial::prune(axis, options).axis.betti, axis.betti);
+}
+
+TEST(Pruning, OfFigure7LeftLeavesOneSheet)
+{
+  const MedialAxis axis = complexes::cycleWithoutLoop().axis();
+  const Pruned pruned = medial::prune(axis, once(Measure::TriangleCount, 18));
+  expectBetti(pruned, { 1, 0, 0 });
+  expectConsistent(axis, pruned);
+  ASSERT_EQ(pruned.parts.parts.size(), 1u);
+  EXPECT_EQ(pruned.parts.parts[0].triangles, 18);
+  EXPECT_EQ(pruned.keepReason[0], KeepReason::Isolated);
+  // Equal significance: the lower parts go first.
+  EXPECT_EQ(removedTriangles(axis, pruned).count(axis.cells.firstTriangle()), 1u);
+}
+
+TEST(Pruning, OfFigure7LeftMayTakeAnyOfTheThree)
+{
+  const MedialAxis axis = complexes::cycleWithoutLoop().axis();
+  const medial::MedialParts parts = medial::decompose(axis);
+  for (Index part = 0; part < 3; ++part)
+  {
+    const Pruned pruned = medial::prune(axis, byHand({ firstTriangleOf(axis, parts, part) }));
+    EXPECT_EQ(pruned.axis.cells.triangles.size(), 36u);
+    EXPECT_EQ(pruned.history.at(0).refused, 0);
+    expectBetti(pruned, { 1, 0, 0 });
+  }
+}
+
+TEST(Pruning, OfFigure7RightKeepsTheLoop)
+{
+  const MedialAxis axis = complexes::cycleWithLoop().axis();
+  const Pruned pruned = medial::prune(axis, once(Measure::TriangleCount, 1e9));
+  expectBetti(pruned, { 1, 1, 0 });
+  expectConsistent(axis, pruned);
+  EXPECT_EQ(pruned.axis.cells.triangles.size(), 48u); // the fins go, the three sheets stay
+}
+
+TEST(Pruning, OfFigure7RightRefusesThePartsOfTheLoop)
+{
+  const MedialAxis axis = complexes::cycleWithLoop().axis();
+  const medial::MedialParts parts = medial::decompose(axis);
+  for (Index part = 0; part < 6; ++part)
+  {
+    SCOPED_TRACE(testing::Message() << "part " << part);
+    const Pruned pruned = medial::prune(axis, byHand({ firstTriangleOf(axis, parts, part) }));
+    ASSERT_EQ(pruned.history.size(), 1u);
+    EXPECT_TRUE(pruned.history[0].byHand);
+    expectBetti(pruned, { 1, 1, 0 });
+    if (part < 3)
+    {
+      EXPECT_EQ(pruned.axis.cells.triangles.size(), 60u);
+      EXPECT_EQ(pruned.history[0].refused, 1);
+      EXPECT_EQ(pruned.keepReason.at(static_cast<std::size_t>(part)), KeepReason::Topology);
+    }
+    else
+    {
+      EXPECT_EQ(pruned.axis.cells.triangles.size(), 56u);
+      EXPECT_EQ(pruned.history[0].removed, 1);
+    }
+  }
+}
+
+TEST(Pruning, ByHandTakesAPartHoweverSignificant)
+{
+  Pipeline& p = pipelines::of("box");
+  const Pruned slivers = medial::prune(p.axis(), once(Measure::TriangleCount, 5));
+  Index largest = 0;
+  for (Index i = 0; i < medial::count(slivers.parts.parts); ++i)
+  {
+    const medial::MedialPart& part = slivers.parts.parts[i];
+    largest =
+      part.level == 1 && part.triangles > slivers.parts.parts[largest].triangles ? i : largest;
+  }
+  const Index cell = firstTriangleOf(slivers.axis, slivers.parts, largest);
+  const Pruned pruned = medial::prune(slivers.axis, byHand({ cell }));
+  expectBetti(pruned, { 1, 0, 0 });
+  EXPECT_EQ(pruned.removedInIteration[cell], 0);
+  EXPECT_EQ(pruned.removedPart[cell], largest);
+  EXPECT_EQ(
+    medial::count(slivers.axis.cells.triangles) - medial::count(pruned.axis.cells.triangles),
+    slivers.parts.parts[largest].triangles);
+}
+
+TEST(Pruning, LeavesTheThirteenPartsOfFigure5)
+{
+  Pipeline& p = pipelines::of("box");
+  const Pruned pruned = medial::prune(p.axis(), once(Measure::TriangleCount, 5));
+  int first = 0, second = 0, other = 0;
+  for (std::size_t i = 0; i < pruned.parts.parts.size(); ++i)
+  {
+    const medial::MedialPart& part = pruned.parts.parts[i];
+    if (part.dimension != 2)
+    {
+      continue;
+    }
+    first += part.level == 1;
+    second += part.level == 2;
+    other += part.level != 1 && part.level != 2;
+    EXPECT_EQ(
+      pruned.keepReason[i], part.level == 1 ? KeepReason::AboveThreshold : KeepReason::InnerLevel);
+    if (part.level == 2)
+    {
+      // The rectangle in the middle: 2 x 1, flat, radius 0.5.
+      EXPECT_NEAR(part.area, 2, 0.2);
+      EXPECT_LT(std::max(-part.lower.z(), part.upper.z()), 0.05);
+      EXPECT_NEAR(part.meanRadius, 0.5, 0.02);
+    }
+  }
+  EXPECT_EQ(first, 12);
+  EXPECT_EQ(second, 1);
+  EXPECT_EQ(other, 0);
+}
+
+TEST(Pruning, RemovesHairAndKeepsBridges)
+{
+  Drawing drawing;
+  drawing.sheet(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), 3, 3);
+  drawing.sheet(Point(9, 0, 0), Point(1, 0, 0), Point(0, 1, 0), 3, 3);
+  const Index a = drawing.point(5, 0, 0), b = drawing.point(7, 0, 0);
+  drawing.edge(drawing.point(3, 0, 0), a); // the bridge
+  drawing.edge(a, b);
+  drawing.edge(b, drawing.point(9, 0, 0));
+  const Index c = drawing.point(0, 5, 0);
+  drawing.edge(drawing.point(0, 3, 0), c); // hair on a sheet
+  drawing.edge(c, drawing.point(0, 6, 0));
+  drawing.edge(a, drawing.point(5, 1, 0)); // hair on the bridge
+  const MedialAxis axis = drawing.axis();
+  const Pruned pruned = medial::prune(axis, once(Measure::TriangleCount, 1));
+  expectBetti(pruned, { 1, 0, 0 });
+  expectConsistent(axis, pruned);
+  EXPECT_EQ(pruned.axis.cells.triangles.size(), 36u);
+  EXPECT_EQ(pruned.axis.cells.edges.size(), 3u);
+  PruneOptions options = once(Measure::TriangleCount, 1e-9, 1);
+  options.schedule[0].measure = Measure::RelativeVolume;
+  options.removeHair = false;
+  EXPECT_EQ(medial::prune(axis, options).axis.cells.edges.size(), 6u);
+}
+
+TEST(Pruning, KeepsALoopOfEdges)
+{
+  Drawing drawing;
+  drawing.sheet(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), 2, 2);
+  const Index a = drawing.point(4, 0, 1), b = drawing.point(4, 0, -1);
+  drawing.edge(drawing.point(2, 0, 0), a);
+  drawing.edge(a, b);
+  drawing.edge(b, drawing.point(2, 0, 0));
+  const MedialAxis axis = drawing.axis();
+  ASSERT_EQ(axis.betti, (Betti{ 1, 1, 0 }));
+  const Pruned pruned = medial::prune(axis, once(Measure::TriangleCount, 100));
+  expectBetti(pruned, { 1, 1, 0 });
+  EXPECT_EQ(pruned.axis.cells.edges.size(), 3u);
+}
+
+TEST(Pruning, KeepsOneOfEachPiece)
+{
+  Drawing drawing;
+  for (int i = 0; i < 4; ++i)
+  {
+    drawing.sheet(Point(5.0 * i, 0, 0), Point(1, 0, 0), Point(0, 1, 0), 1, 1 + i);
+  }
+  drawing.vertex(drawing.point(-5, 0, 0));
+  const Pruned pruned = medial::prune(drawing.axis(), once(Measure::TriangleCount, 1e9));
+  expectBetti(pruned, { 5, 0, 0 });
+  for (const KeepReason reason : pruned.keepReason)
+  {
+    EXPECT_EQ(reason, KeepReason::Isolated);
+  }
+}
+
+TEST(Pruning, RemovesABranchWhole)
+{
+  // A stem between two discs, on edges: neither end can go alone by its level, the small one goes
+  // with the stem.
+  Drawing drawing;
+  drawing.sheet(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), 8, 8);
+  const Point up(0, 0, 1);
+  drawing.sheet(Point(4, 4, 0), Point(0, 0, 1), Point(1, 0, 0), 3, 1);
+  drawing.sheet(Point(4, 4, 2), Point(0, 0, 1), Point(0, 1, 0), 1, 1);
+  const MedialAxis axis = drawing.axis();
+  ASSERT_EQ(axis.betti, (Betti{ 1, 0, 0 }));
+  const Pruned pruned = medial::prune(axis, once(Measure::TriangleCount, 10));
+  expectBetti(pruned, { 1, 0, 0 });
+  EXPECT_EQ(pruned.axis.cells.triangles.size(), 128u);
+}
+
+TEST(Pruning, TakesTheLeastSignificantFirst)
+{
+  // Three sheets about a line, of 2, 6 and 12 triangles: one has to stay, the largest.
+  Drawing drawing;
+  const Point up(0, 0, 1);
+  drawing.sheet(Point(0, 0, 0), up, Point(0, -1, 0), 1, 6);
+  drawing.sheet(Point(0, 0, 0), up, Point(1, 0, 0), 1, 1);
+  drawing.sheet(Point(0, 0, 0), up, Point(-1, 0, 0), 1, 3);
+  const Pruned pruned = medial::prune(drawing.axis(), once(Measure::TriangleCount, 100));
+  ASSERT_EQ(pruned.parts.parts.size(), 1u);
+  EXPECT_EQ(pruned.parts.parts[0].triangles, 12);
+}
+
+TEST(Pruning, KeepReasonsTellTheThreshold)
+{
+  forEachShape([](Pipeline& p) {
+    const Pruned pruned = medial::prune(p.axis(), once(Measure::TriangleCount, 5));
+    for (std::size_t i = 0; i < pruned.keepReason.size(); ++i)
+    {
+      const medial::MedialPart& part = pruned.parts.parts[i];
+      if (part.dimension == 2)
+      {
+        EXPECT_TRUE(pruned.keepReason[i] != KeepReason::AboveThreshold || part.triangles > 5);
+        EXPECT_TRUE(pruned.keepReason[i] != KeepReason::InnerLevel || part.level != 1);
+        EXPECT_TRUE(pruned.keepReason[i] != KeepReason::Topology || part.triangles <= 5);
+      }
+    }
+  });
+}
+
+TEST(Pruning, ScalesWithTheAxisToTheLastBit)
+{
+  Pipeline& p = pipelines::of("two-hole plate");
+  for (const int exponent : { -20, 20 })
+  {
+    const double factor = std::ldexp(1, exponent);
+    const Pruned pruned =
+      medial::prune(pipelines::inUnits(p.axis(), factor), pipelines::standardSchedule());
+    EXPECT_EQ(pruned.inputCell, p.pruned().inputCell);
+    EXPECT_EQ(pruned.removedInIteration, p.pruned().removedInIteration);
+    EXPECT_EQ(pruned.keepReason, p.pruned().keepReason);
+  }
+}
+
+TEST(Pruning, IsTheSameOnManyThreads)
+{
+  Pipeline& p = pipelines::of("box");
+  EXPECT_EQ(pipelines::bytesOf(
+              medial::prune(p.axis(), pipelines::standardSchedule(), pipelines::threaded())),
+    pipelines::bytesOf(p.pruned()));
+}
+
+TEST(Pruning, ReportsProgressAndStops)
+{
+  const MedialAxis axis =
+    medial::medialAxis(medial::polarBalls(shapes::twoHolePlate(0.12).samples));
+  pipelines::expectProgressAndAbort([&](const medial::Execution& execution) {
+    medial::prune(axis, pipelines::standardSchedule(), execution);
+  });
+}
+
+TEST(Pruning, RefusesThresholdsThatAreNoNumbers)
+{
+  const MedialAxis axis = complexes::cycleWithLoop().axis();
+  for (const double bad : { -1.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    EXPECT_THROW(medial::prune(axis, once(Measure::TriangleCount, bad)), medial::InvalidInput);
+    EXPECT_THROW(medial::prune(axis, once(Measure::RelativeVolume, bad)), medial::InvalidInput);
+  }
+}
+
+TEST(Pruning, RefusesCellsThatAreNotThere)
+{
+  const MedialAxis axis = complexes::cycleWithLoop().axis();
+  EXPECT_THROW(medial::prune(axis, byHand({ axis.cells.size() })), medial::InvalidInput);
+  EXPECT_THROW(medial::prune(axis, byHand({ -1 })), medial::InvalidInput);
+}
