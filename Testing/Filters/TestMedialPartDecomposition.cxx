@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTest.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <map>
+
+namespace
+{
+using filterTest::arrays;
+using filterTest::boxPipeline;
+using filterTest::onlyError;
+
+vtkTable* partTable()
+{
+  return vtkTable::SafeDownCast(boxPipeline().parts->GetOutputDataObject(1));
+}
+
+double cell(const char* array, vtkIdType number)
+{
+  return boxPipeline().parts->GetOutput()->GetCellData()->GetArray(array)->GetComponent(number, 0);
+}
+
+double column(const char* name, double part)
+{
+  return partTable()->GetValueByName(static_cast<vtkIdType>(part), name).ToDouble();
+}
+
+TEST(MedialPartDecomposition, AddsTheArraysOfItsHeader)
+{
+  vtkPolyData *axis = boxPipeline().axis->GetOutput(), *parts = boxPipeline().parts->GetOutput();
+  EXPECT_EQ(arrays(parts->GetPointData()), arrays(axis->GetPointData()));
+  EXPECT_EQ(arrays(parts->GetCellData()),
+    (std::vector<std::string>{ "PartId vtkIdType 1", "PartLevel int 1", "PolygonId vtkIdType 1",
+      "RelativeVolume double 1", "SiteSamples vtkIdType 2", "TriangleCount vtkIdType 1" }));
+  std::vector<std::string> expected = arrays(axis->GetFieldData());
+  expected.emplace_back("NumberOfParts vtkIdType 1");
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(arrays(parts->GetFieldData()), expected);
+}
+
+TEST(MedialPartDecomposition, HasTheColumnsOfItsHeader)
+{
+  EXPECT_EQ(arrays(partTable()->GetRowData()),
+    (std::vector<std::string>{ "Area double 1", "Bounds double 6", "Contacts vtkIdType 1",
+      "Dimension int 1", "Level int 1", "MaximumRadius double 1", "MeanRadius double 1",
+      "MinimumRadius double 1", "PartId vtkIdType 1", "RelativeVolume double 1",
+      "Triangles vtkIdType 1", "Volume double 1" }));
+}
+
+TEST(MedialPartDecomposition, HasTheArraysOfItsHeaderOnContacts)
+{
+  auto* contacts = vtkPolyData::SafeDownCast(boxPipeline().parts->GetOutputDataObject(2));
+  EXPECT_EQ(arrays(contacts->GetCellData()), (std::vector<std::string>{ "ContactId vtkIdType 1" }));
+  EXPECT_EQ(arrays(contacts->GetFieldData()),
+    (std::vector<std::string>{ "ContactPartOffsets vtkIdType 1", "ContactParts vtkIdType 1" }));
+}
+
+TEST(MedialPartDecomposition, KeepsTheCellsOfTheAxis)
+{
+  vtkPolyData *axis = boxPipeline().axis->GetOutput(), *parts = boxPipeline().parts->GetOutput();
+  EXPECT_EQ(parts->GetPoints(), axis->GetPoints());
+  EXPECT_EQ(parts->GetPolys(), axis->GetPolys());
+  EXPECT_EQ(parts->GetLines(), axis->GetLines());
+}
+
+TEST(MedialPartDecomposition, SaysTheSameInCellsAndTable)
+{
+  vtkPolyData* parts = boxPipeline().parts->GetOutput();
+  std::map<double, int> triangles;
+  for (vtkIdType i = 0; i < parts->GetNumberOfCells(); ++i)
+  {
+    const double part = cell("PartId", i);
+    triangles[part] += parts->GetCellType(i) == VTK_TRIANGLE;
+    EXPECT_EQ(cell("PartLevel", i), column("Level", part));
+    EXPECT_EQ(cell("TriangleCount", i), column("Triangles", part));
+    EXPECT_EQ(cell("RelativeVolume", i), column("RelativeVolume", part));
+  }
+  EXPECT_EQ(static_cast<vtkIdType>(triangles.size()), partTable()->GetNumberOfRows());
+  for (const auto& [part, count] : triangles)
+  {
+    EXPECT_EQ(column("PartId", part), part);
+    EXPECT_EQ(column("Triangles", part), count);
+  }
+}
+
+TEST(MedialPartDecomposition, CountsItsParts)
+{
+  EXPECT_EQ(
+    boxPipeline().parts->GetOutput()->GetFieldData()->GetArray("NumberOfParts")->GetComponent(0, 0),
+    partTable()->GetNumberOfRows());
+}
+
+TEST(MedialPartDecomposition, SharesTheVolumeAmongTheParts)
+{
+  double volume = 0;
+  for (vtkIdType part = 0; part < partTable()->GetNumberOfRows(); ++part)
+  {
+    volume += partTable()->GetValueByName(part, "RelativeVolume").ToDouble();
+  }
+  EXPECT_NEAR(volume, 1, 1e-12);
+}
+
+TEST(MedialPartDecomposition, HasBoundsAroundTheParts)
+{
+  vtkPolyData* parts = boxPipeline().parts->GetOutput();
+  vtkDataArray* bounds = vtkDataArray::SafeDownCast(partTable()->GetColumnByName("Bounds"));
+  for (vtkIdType i = 0; i < parts->GetNumberOfCells(); ++i)
+  {
+    double ofCell[6];
+    parts->GetCellBounds(i, ofCell);
+    const auto part = static_cast<vtkIdType>(cell("PartId", i));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_LE(bounds->GetComponent(part, 2 * axis), ofCell[2 * axis]);
+      EXPECT_GE(bounds->GetComponent(part, 2 * axis + 1), ofCell[2 * axis + 1]);
+    }
+  }
+}
+
+TEST(MedialPartDecomposition, ListsThePartsOfEveryContact)
+{
+  auto* contacts = vtkPolyData::SafeDownCast(boxPipeline().parts->GetOutputDataObject(2));
+  ASSERT_GT(contacts->GetNumberOfCells(), 0);
+  vtkDataArray* offsets = contacts->GetFieldData()->GetArray("ContactPartOffsets");
+  vtkDataArray* parts = contacts->GetFieldData()->GetArray("ContactParts");
+  ASSERT_EQ(offsets->GetNumberOfTuples(), contacts->GetNumberOfCells() + 1);
+  EXPECT_EQ(offsets->GetComponent(contacts->GetNumberOfCells(), 0), parts->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < contacts->GetNumberOfCells(); ++i)
+  {
+    const double curve = contacts->GetCellData()->GetArray("ContactId")->GetComponent(i, 0);
+    const auto id = static_cast<vtkIdType>(curve);
+    EXPECT_LE(offsets->GetComponent(id, 0) + 1, offsets->GetComponent(id + 1, 0));
+  }
+  double shares = 0;
+  for (vtkIdType part = 0; part < partTable()->GetNumberOfRows(); ++part)
+  {
+    shares += partTable()->GetValueByName(part, "Contacts").ToDouble();
+  }
+  EXPECT_EQ(shares, parts->GetNumberOfTuples());
+}
+
+TEST(MedialPartDecomposition, LimitsLevels)
+{
+  vtkNew<vtkMedialPartDecomposition> filter;
+  const vtkMTimeType before = filter->GetMTime();
+  filter->SetMaximumLevel(1);
+  EXPECT_GT(filter->GetMTime(), before);
+  filter->SetInputData(boxPipeline().axis->GetOutput());
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("PartLevel")->GetRange()[1], 1);
+  EXPECT_GT(
+    boxPipeline().parts->GetOutput()->GetCellData()->GetArray("PartLevel")->GetRange()[1], 1);
+}
+
+/// What the filter says about the axis of the box after a change.
+template <typename Change>
+std::string refusal(const Change& change)
+{
+  const auto axis = filterTest::copy<vtkPolyData>(boxPipeline().axis->GetOutputDataObject(0));
+  change(axis.Get());
+  vtkNew<vtkMedialPartDecomposition> filter;
+  filter->SetInputData(axis);
+  return onlyError(filter);
+}
+
+TEST(MedialPartDecomposition, RefusesPolygons)
+{
+  const std::string error = refusal([](vtkPolyData* axis) {
+    vtkNew<vtkCellArray> polys;
+    polys->InsertNextCell({ 0, 1, 2, 3 });
+    axis->SetPolys(polys);
+  });
+  EXPECT_NE(error.find("a cell has 4 corners instead of 3: take the output of vtkMedialAxis"),
+    std::string::npos)
+    << error;
+}
+
+TEST(MedialPartDecomposition, RefusesStrips)
+{
+  const std::string error = refusal([](vtkPolyData* axis) {
+    vtkNew<vtkCellArray> strips;
+    strips->InsertNextCell({ 0, 1, 2, 3 });
+    axis->SetStrips(strips);
+  });
+  EXPECT_NE(error.find("triangle strips"), std::string::npos) << error;
+}
+
+TEST(MedialPartDecomposition, RefusesCellsWithACornerThatIsNotThere)
+{
+  const std::string error = refusal([](vtkPolyData* axis) {
+    axis->GetPolys()->GetConnectivityArray()->SetComponent(
+      0, 0, static_cast<double>(axis->GetNumberOfPoints()));
+  });
+  EXPECT_NE(error.find("a cell has the corner "), std::string::npos) << error;
+}
+
+TEST(MedialPartDecomposition, RefusesOffsetsOfCellsThatDontFit)
+{
+  const std::string error = refusal(
+    [](vtkPolyData* axis) { axis->GetPolys()->GetOffsetsArray()->SetComponent(2, 0, 1e6); });
+  EXPECT_NE(error.find("the offsets of the cells do not fit"), std::string::npos) << error;
+}
+
+TEST(MedialPartDecomposition, RefusesAnEmptyAxis)
+{
+  vtkNew<vtkPolyData> nothing;
+  vtkNew<vtkMedialPartDecomposition> filter;
+  filter->SetInputData(nothing);
+  EXPECT_NE(onlyError(filter).find("take the output of vtkMedialAxis"), std::string::npos);
+}
+}

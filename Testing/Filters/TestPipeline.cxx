@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From samples to a simplified surface, as users run it.
+#include "FilterTest.h"
+
+#include <vtkAppendPolyData.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <array>
+
+namespace
+{
+using filterTest::cloud;
+using filterTest::Pipeline;
+using filterTest::same;
+using filterTest::smallBox;
+using filterTest::writtenAndRead;
+
+using Numbers = std::array<double, 3>;
+
+Numbers betti(vtkDataObject* data, const char* name)
+{
+  vtkDataArray* array = data->GetFieldData()->GetArray(name);
+  return { array->GetComponent(0, 0), array->GetComponent(0, 1), array->GetComponent(0, 2) };
+}
+
+double field(vtkDataObject* data, const char* name)
+{
+  return data->GetFieldData()->GetArray(name)->GetComponent(0, 0);
+}
+
+class PipelineOf : public testing::TestWithParam<shapes::Shape>
+{
+};
+
+TEST_P(PipelineOf, KeepsTheTopologyAndClosesTheSurface)
+{
+  const shapes::Shape& shape = this->GetParam();
+  const Numbers expected{ static_cast<double>(shape.betti[0]), static_cast<double>(shape.betti[1]),
+    static_cast<double>(shape.betti[2]) };
+  Pipeline pipeline(cloud(shape.samples));
+  pipeline.crust->Update();
+  EXPECT_EQ(betti(pipeline.balls->GetOutput(), "BettiPowerShape"), expected);
+  EXPECT_EQ(betti(pipeline.axis->GetOutput(), "BettiAxis"), expected);
+  EXPECT_EQ(betti(pipeline.prune->GetOutput(), "BettiAxis"), expected);
+  EXPECT_EQ(betti(pipeline.crust->GetOutput(), "BettiCrust"), expected);
+  EXPECT_EQ(field(pipeline.axis->GetOutput(), "Certificate"), 1);
+  EXPECT_EQ(field(pipeline.crust->GetOutput(), "Closed"), 1);
+  EXPECT_EQ(field(pipeline.crust->GetOutput(), "Manifold"), 1);
+  EXPECT_NEAR(field(pipeline.crust->GetOutput(), "Volume"), shape.volume, 0.15 * shape.volume);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, PipelineOf,
+  testing::Values(shapes::sphere(0.3), shapes::torus(0.25), shapes::hollowSphere(),
+    shapes::twoObjects(0.2), shapes::box(0.15)),
+  [](const testing::TestParamInfo<shapes::Shape>& info) { return info.param.name; });
+
+TEST(Pipeline, GivesTheSameThroughFilesAtEveryStage)
+{
+  Pipeline direct(cloud(smallBox().samples));
+  direct.crust->Update();
+
+  Pipeline resumed(writtenAndRead(cloud(smallBox().samples)));
+  resumed.balls->Update();
+  const auto balls = writtenAndRead(resumed.balls->GetOutput());
+  resumed.axis->SetInputData(balls);
+  resumed.axis->Update();
+  resumed.parts->SetInputData(writtenAndRead(resumed.axis->GetOutput()));
+  resumed.parts->Update();
+  resumed.prune->SetInputData(writtenAndRead(resumed.parts->GetOutput()));
+  resumed.prune->Update();
+  resumed.crust->SetInputData(balls);
+  resumed.crust->SetAxisData(writtenAndRead(resumed.prune->GetOutput()));
+  resumed.crust->Update();
+  EXPECT_TRUE(same(resumed.crust->GetOutput(), direct.crust->GetOutput()));
+}
+
+TEST(Pipeline, GivesTheSameTwice)
+{
+  Pipeline first(cloud(smallBox().samples)), second(cloud(smallBox().samples));
+  first.crust->Update();
+  second.crust->Update();
+  EXPECT_TRUE(same(first.crust->GetOutput(), second.crust->GetOutput()));
+  EXPECT_TRUE(same(first.prune->GetOutput(), second.prune->GetOutput()));
+}
+
+TEST(Pipeline, FollowsItsSamples)
+{
+  vtkSmartPointer<vtkPolyData> samples = cloud(shapes::sphere(0.4).samples);
+  Pipeline pipeline(samples);
+  pipeline.crust->Update();
+  samples->SetPoints(cloud(smallBox().samples)->GetPoints());
+  pipeline.crust->Update();
+  EXPECT_TRUE(same(pipeline.crust->GetOutput(), filterTest::boxPipeline().crust->GetOutput()));
+}
+
+TEST(Pipeline, PrunesAgainWithoutMakingTheAxisAgain)
+{
+  Pipeline pipeline(cloud(smallBox().samples));
+  pipeline.crust->Update();
+  const vtkMTimeType made = pipeline.axis->GetOutput()->GetMTime();
+  pipeline.prune->ClearIterations();
+  pipeline.crust->Update();
+  EXPECT_EQ(pipeline.axis->GetOutput()->GetMTime(), made);
+}
+
+TEST(Pipeline, TakesBlocksOneByOne)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, cloud(smallBox().samples));
+  blocks->SetBlock(1, cloud(shapes::sphere(0.4).samples));
+  Pipeline pipeline(blocks);
+  pipeline.prune->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(pipeline.prune->GetOutputDataObject(0));
+  ASSERT_TRUE(output);
+  EXPECT_TRUE(same(output->GetBlock(0), filterTest::boxPipeline().prune->GetOutput()));
+  EXPECT_GT(output->GetBlock(1)->GetNumberOfElements(vtkDataObject::CELL), 0);
+}
+}

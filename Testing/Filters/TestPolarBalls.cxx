@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTest.h"
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+using filterTest::arrays;
+using filterTest::boxPipeline;
+using filterTest::cloud;
+using filterTest::onlyError;
+using filterTest::smallBox;
+using medial::Point;
+
+double field(vtkDataObject* data, const char* name, vtkIdType entry = 0, int component = 0)
+{
+  return data->GetFieldData()->GetArray(name)->GetComponent(entry, component);
+}
+
+/// What the filter says about samples that it can't use.
+std::string refusal(const std::vector<Point>& samples)
+{
+  vtkNew<vtkPolarBalls> filter;
+  filter->SetInputData(cloud(samples));
+  return onlyError(filter);
+}
+
+TEST(PolarBalls, HaveTheArraysOfTheirHeader)
+{
+  vtkUnstructuredGrid* balls = boxPipeline().balls->GetOutput();
+  EXPECT_EQ(arrays(balls->GetPointData()),
+    (std::vector<std::string>{ "Radius double 1", "Side unsigned char 1",
+      "TouchesGuard unsigned char 1", "Volume double 1" }));
+  EXPECT_EQ(arrays(balls->GetFieldData()),
+    (std::vector<std::string>{ "BallSampleOffsets vtkIdType 1", "BallSamples vtkIdType 1",
+      "BettiPowerShape vtkIdType 3", "DuplicateOf vtkIdType 1", "NumberOfDuplicates vtkIdType 1",
+      "NumberOfHiddenBalls vtkIdType 1", "NumberOfInnerBalls vtkIdType 1",
+      "NumberOfOuterBalls vtkIdType 1", "NumberOfSamples vtkIdType 1",
+      "SampleInnerBall vtkIdType 1", "SampleOuterBall vtkIdType 1", "Samples double 3",
+      "SamplingQuality double 1" }));
+}
+
+TEST(PolarBalls, AreDoubles)
+{
+  EXPECT_EQ(boxPipeline().balls->GetOutput()->GetPoints()->GetDataType(), VTK_DOUBLE);
+}
+
+TEST(PolarBalls, ListTheSamplesInTheOrderGiven)
+{
+  vtkUnstructuredGrid* balls = boxPipeline().balls->GetOutput();
+  const std::vector<Point>& samples = smallBox().samples;
+  ASSERT_EQ(field(balls, "NumberOfSamples"), static_cast<double>(samples.size()));
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_EQ(field(balls, "Samples", static_cast<vtkIdType>(i), axis), samples[i][axis]);
+    }
+  }
+}
+
+TEST(PolarBalls, TouchTheirSamples)
+{
+  vtkUnstructuredGrid* balls = boxPipeline().balls->GetOutput();
+  vtkDataArray* radii = balls->GetPointData()->GetArray("Radius");
+  for (vtkIdType ball = 0; ball < balls->GetNumberOfPoints(); ++ball)
+  {
+    const Point center(balls->GetPoint(ball));
+    const double radius = radii->GetComponent(ball, 0);
+    for (double i = field(balls, "BallSampleOffsets", ball);
+         i < field(balls, "BallSampleOffsets", ball + 1); ++i)
+    {
+      const auto sample =
+        static_cast<std::size_t>(field(balls, "BallSamples", static_cast<vtkIdType>(i)));
+      EXPECT_NEAR((smallBox().samples[sample] - center).norm(), radius, 1e-8 * (1 + radius));
+    }
+  }
+}
+
+TEST(PolarBalls, AreCountedBySide)
+{
+  vtkUnstructuredGrid* balls = boxPipeline().balls->GetOutput();
+  vtkDataArray* sides = balls->GetPointData()->GetArray("Side");
+  std::array<double, 3> counts{};
+  for (vtkIdType ball = 0; ball < balls->GetNumberOfPoints(); ++ball)
+  {
+    ++counts.at(static_cast<std::size_t>(sides->GetComponent(ball, 0)));
+  }
+  EXPECT_EQ(counts[0], field(balls, "NumberOfOuterBalls"));
+  EXPECT_EQ(counts[1], field(balls, "NumberOfInnerBalls"));
+  EXPECT_EQ(counts[2], field(balls, "NumberOfHiddenBalls"));
+  EXPECT_GT(counts[0], 0);
+  EXPECT_GT(counts[1], 0);
+}
+
+TEST(PolarBalls, KnowTheBettiNumbersOfTheSolid)
+{
+  filterTest::Pipeline pipeline(cloud(shapes::torus(0.3).samples));
+  pipeline.balls->Update();
+  vtkDataObject* balls = pipeline.balls->GetOutput();
+  EXPECT_EQ(field(balls, "BettiPowerShape", 0, 0), 1);
+  EXPECT_EQ(field(balls, "BettiPowerShape", 0, 1), 1);
+  EXPECT_EQ(field(balls, "BettiPowerShape", 0, 2), 0);
+}
+
+TEST(PolarBalls, TakeRepeatedPointsOnce)
+{
+  std::vector<Point> samples = smallBox().samples;
+  samples.insert(samples.end(), samples.begin(), samples.begin() + 10);
+  filterTest::Pipeline pipeline(cloud(samples));
+  pipeline.balls->Update();
+  vtkUnstructuredGrid* balls = pipeline.balls->GetOutput();
+  EXPECT_EQ(balls->GetNumberOfPoints(), boxPipeline().balls->GetOutput()->GetNumberOfPoints());
+  EXPECT_EQ(field(balls, "NumberOfDuplicates"), 10);
+  EXPECT_EQ(field(balls, "DuplicateOf", static_cast<vtkIdType>(samples.size()) - 1), 9);
+}
+
+TEST(PolarBalls, DontLookAtCells)
+{
+  vtkSmartPointer<vtkPolyData> samples = cloud(smallBox().samples);
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ 0, 1, 2 });
+  samples->SetPolys(cells);
+  vtkNew<vtkPolarBalls> filter;
+  filter->SetInputData(samples);
+  filter->Update();
+  EXPECT_TRUE(filterTest::same(filter->GetOutput(), boxPipeline().balls->GetOutput()));
+}
+
+TEST(PolarBalls, TakeAnyPointSet)
+{
+  vtkNew<vtkUnstructuredGrid> samples;
+  samples->SetPoints(cloud(smallBox().samples)->GetPoints());
+  vtkNew<vtkPolarBalls> filter;
+  filter->SetInputData(samples);
+  filter->Update();
+  EXPECT_TRUE(filterTest::same(filter->GetOutput(), boxPipeline().balls->GetOutput()));
+}
+
+TEST(PolarBalls, RefuseNoPoints)
+{
+  EXPECT_NE(refusal({}).find("no samples"), std::string::npos);
+}
+
+TEST(PolarBalls, RefuseADataSetThatNeverHadPoints)
+{
+  vtkNew<vtkPolyData> nothing;
+  vtkNew<vtkPolarBalls> filter;
+  filter->SetInputData(nothing);
+  EXPECT_NE(onlyError(filter).find("no samples"), std::string::npos);
+}
+
+TEST(PolarBalls, RefuseThreePoints)
+{
+  EXPECT_NE(refusal({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 1, 0 } })
+              .find("at least 4 points of a closed surface are needed"),
+    std::string::npos);
+}
+
+TEST(PolarBalls, RefusePointsOnALine)
+{
+  EXPECT_NE(refusal({ { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 }, { 3, 3, 3 }, { 4, 4, 4 } })
+              .find("on one line"),
+    std::string::npos);
+}
+
+TEST(PolarBalls, RefusePointsInAPlane)
+{
+  EXPECT_NE(refusal({ { 0, 0, 1 }, { 1, 0, 1 }, { 0, 1, 1 }, { 3, 2, 1 }, { 1, 5, 1 } })
+              .find("in one plane"),
+    std::string::npos);
+}
+
+TEST(PolarBalls, RefuseCoordinatesThatAreNotFinite)
+{
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    std::vector<Point> samples = smallBox().samples;
+    samples[7].y() = bad;
+    const std::string error = refusal(samples);
+    EXPECT_NE(error.find("sample 7 has a coordinate that is not finite"), std::string::npos);
+    EXPECT_NE(error.find("remove such points"), std::string::npos);
+  }
+}
+
+TEST(PolarBalls, ForgetAnErrorOnceTheInputIsGood)
+{
+  vtkNew<vtkPolarBalls> filter;
+  filter->SetInputData(cloud({}));
+  onlyError(filter);
+  filter->SetInputData(cloud(smallBox().samples));
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorCode(), 0u);
+  EXPECT_TRUE(filterTest::same(filter->GetOutput(), boxPipeline().balls->GetOutput()));
+}
+
+TEST(PolarBalls, DontRunOnAnImage)
+{
+  vtkNew<vtkImageData> image;
+  vtkNew<vtkPolarBalls> filter;
+  const filterTest::ErrorLog log(filter);
+  filter->SetInputDataObject(image);
+  EXPECT_EQ(filter->GetExecutive()->Update(), 0);
+  EXPECT_TRUE(filterTest::isEmpty(filter->GetOutput()));
+}
+}
