@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Messages.h"
 
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
 #include <iostream>
+#include <vector>
 
 namespace
 {
 bool Quiet = false;
-std::string FirstError;
+std::vector<std::string> Errors;
+std::vector<std::string> Warnings;
 
 /// "ERROR: In x.cxx, line 1\nvtkThing (0x1): message\n\n" -> "message", on one line.
 std::string plainText(std::string text)
@@ -34,25 +37,19 @@ public:
   static MessageWindow* New();
   vtkTypeMacro(MessageWindow, vtkOutputWindow);
 
-  void DisplayErrorText(const char* text) override
-  {
-    FirstError = FirstError.empty() ? plainText(text) : FirstError;
-  }
-  void DisplayWarningText(const char* text) override { this->print("warning: ", text); }
-  void DisplayGenericWarningText(const char* text) override { this->print("warning: ", text); }
-  void DisplayText(const char* text) override { this->print("", text); }
+  void DisplayErrorText(const char* text) override { Errors.push_back(plainText(text)); }
+  void DisplayWarningText(const char* text) override { Warnings.push_back(plainText(text)); }
+  void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
+  void DisplayText(const char* text) override { this->DisplayWarningText(text); }
   void DisplayDebugText(const char*) override {}
-
-private:
-  void print(const char* prefix, const char* text) const
-  {
-    if (!Quiet)
-    {
-      std::cerr << prefix << plainText(text) << '\n';
-    }
-  }
 };
 vtkStandardNewMacro(MessageWindow);
+
+/// What the pipeline says of every algorithm that has failed. The reason came before.
+bool isReason(const std::string& error)
+{
+  return error.find("returned failure for request") == std::string::npos;
+}
 }
 
 namespace messages
@@ -60,17 +57,37 @@ namespace messages
 void capture(bool quiet)
 {
   Quiet = quiet;
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<MessageWindow> window;
   vtkOutputWindow::SetInstance(window);
 }
 
 void clear()
 {
-  FirstError.clear();
+  if (!Quiet && Errors.empty())
+  {
+    for (const std::string& warning : Warnings)
+    {
+      std::cerr << "warning: " << warning << '\n';
+    }
+  }
+  Errors.clear();
+  Warnings.clear();
 }
 
-std::string firstError()
+std::string error()
 {
-  return FirstError;
+  for (const std::string& error : Errors)
+  {
+    if (isReason(error))
+    {
+      return error;
+    }
+  }
+  if (!Errors.empty())
+  {
+    return Warnings.empty() ? "failed without a reason" : Warnings.front();
+  }
+  return "";
 }
 }

@@ -7,14 +7,15 @@
 /// Keeps what VTK's readers, filters and writers report, in place of VTK's own printing.
 namespace messages
 {
-/// From here on errors are kept, and warnings printed as one line each unless `quiet`.
+/// From here on errors and warnings are kept.
 void capture(bool quiet);
 
-/// Forgets the errors so far.
+/// Begins anew. Warnings so far are printed, one line each, unless quiet or followed by an error.
 void clear();
 
-/// The first error since the last clear(), without VTK's file, line and object; "" if none.
-std::string firstError();
+/// Why something failed since the last clear(), without VTK's file, line and object; "" if nothing
+/// did.
+std::string error();
 }
 
 #endif

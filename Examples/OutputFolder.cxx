@@ -72,19 +72,18 @@ std::string OutputFolder::draft(const std::string& name) const
   {
     throw InputError(this->Folder.string() + ": can't be written to: " + error.message());
   }
-  messages::clear();
   return (this->Draft / name).string();
 }
 
 void OutputFolder::check(const std::string& name, vtkAlgorithm* writer) const
 {
   const unsigned long code = writer->GetErrorCode();
-  if (code != vtkErrorCode::NoError || !messages::firstError().empty() ||
+  if (code != vtkErrorCode::NoError || !messages::error().empty() ||
     !fs::exists(this->Draft / name))
   {
-    const std::string reason = messages::firstError().empty()
-      ? vtkErrorCode::GetStringFromErrorCode(code)
-      : messages::firstError();
+    const std::string reason =
+      messages::error().empty() ? vtkErrorCode::GetStringFromErrorCode(code) : messages::error();
     throw InputError((this->Folder / name).string() + ": can't be written: " + reason);
   }
+  messages::clear();
 }

@@ -69,8 +69,9 @@ private:
 };
 }
 
-Progress::Progress(bool quiet)
-  : Visible(!quiet && isatty(fileno(stderr)))
+Progress::Progress(const std::string& subject, bool quiet)
+  : Subject(subject)
+  , Visible(!quiet && isatty(fileno(stderr)))
 {
 }
 
@@ -80,17 +81,18 @@ double Progress::run(const std::string& stage, vtkAlgorithm* filter)
   Bar bar(stage, this->Visible);
   const unsigned long observer =
     filter->AddObserver(vtkCommand::ProgressEvent, &bar, &Bar::observe);
-  messages::clear();
   const auto begin = Clock::now();
   filter->Update();
   const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   filter->RemoveObserver(observer);
-  if (filter->GetErrorCode() != vtkErrorCode::NoError || !messages::firstError().empty())
+  if (filter->GetErrorCode() != vtkErrorCode::NoError || !messages::error().empty())
   {
     bar.wipe();
-    const std::string message = messages::firstError();
-    throw InputError(message.empty() ? stage + ": failed without a message" : message);
+    const std::string message = messages::error();
+    throw InputError(
+      this->Subject + ": " + (message.empty() ? stage + " failed without a reason" : message));
   }
   bar.finish(seconds);
+  messages::clear();
   return seconds;
 }

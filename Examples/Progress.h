@@ -10,13 +10,15 @@ class vtkAlgorithm;
 class Progress
 {
 public:
-  explicit Progress(bool quiet);
+  /// @param subject  what errors are about: the input
+  Progress(const std::string& subject, bool quiet);
 
   /// Updates the filter and returns the seconds it took.
   /// @throw InputError  the filter reported an error; the message is the filter's
   double run(const std::string& stage, vtkAlgorithm* filter);
 
 private:
+  std::string Subject;
   bool Visible;
 };
 

@@ -48,19 +48,20 @@ void checkReadable(const std::string& file)
 template <typename Reader>
 vtkSmartPointer<vtkPoints> readWith(const std::string& file)
 {
-  messages::clear();
   vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
   vtkPointSet* output = reader->GetOutput();
-  if (!messages::firstError().empty())
+  if (!messages::error().empty())
   {
-    throw InputError(file + ": " + messages::firstError());
+    throw InputError(
+      file + ": can't be read as " + lowerCaseExtension(file) + ": " + messages::error());
   }
   if (!output || !output->GetPoints())
   {
     throw InputError(file + ": no points can be read from it");
   }
+  messages::clear();
   return output->GetPoints();
 }
 

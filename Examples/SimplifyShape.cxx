@@ -84,7 +84,7 @@ ExitCode simplify(const Arguments& arguments)
   auto samples = readPoints(arguments.input);
   OutputFolder folder(arguments.output);
   Pipeline pipeline(samples, arguments);
-  Progress progress(arguments.quiet);
+  Progress progress(arguments.input, arguments.quiet);
   pipeline.run(progress, arguments);
   const double total =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
