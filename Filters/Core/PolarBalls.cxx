@@ -327,23 +327,6 @@ void measureVolumes(const Spheres& spheres, const std::vector<Index>& ballOfCell
   }
 }
 
-/// The regular triangulation of the balls. Weights get a relative jitter of 1e-9, the same in every
-/// run: every sample is a degenerate vertex of the power diagram, and without it exact arithmetic is
-/// spent on deciding rounding noise. Nothing but the choice among equals depends on it.
-std::vector<Tetrahedron> powerCells(const std::vector<Ball>& balls, const Execution& execution)
-{
-  std::vector<Ball> jittered = balls;
-  std::uint32_t state = 1;
-  for (Ball& ball : jittered)
-  {
-    state = state * 1664525u + 1013904223u;
-    ball.radius *= 1 + 1e-9 * (state / 4294967296.0 - 0.5);
-  }
-  RegularTriangulation triangulation;
-  triangulation.insert(jittered, execution);
-  return triangulation.tetrahedra().cells;
-}
-
 /// Fills the arrays with one entry for each sample.
 void describeSamples(const DistinctSamples& distinct,
   const std::vector<std::array<Index, 2>>& ballsOfSample, PolarBalls& result)
@@ -427,7 +410,9 @@ PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execut
   result.samples = samples;
   const std::vector<Index> ballOfCell = numberBalls(spheres, poleClasses, result);
   collectSamples(spheres, ballOfCell, distinct.ids, result);
-  result.cells = powerCells(result.balls, execution.part(0.2, 0.8));
+  RegularTriangulation triangulation;
+  triangulation.insert(result.balls, execution.part(0.2, 0.8));
+  result.cells = triangulation.tetrahedra().cells;
 
   std::vector<std::array<Index, 2>> ballsOfSample(poleClasses.size());
   for (std::size_t s = 0; s < poleClasses.size(); ++s)

@@ -106,6 +106,14 @@ Tetrahedra arrays(const Triangulation& triangulation)
   return result;
 }
 
+/// A number without pattern for each number.
+std::uint32_t scrambled(std::uint32_t x)
+{
+  x = (x ^ (x >> 16)) * 0x7feb352du;
+  x = (x ^ (x >> 15)) * 0x846ca68bu;
+  return x ^ (x >> 16);
+}
+
 Kernel::Point_3 kernelPoint(const Point& p)
 {
   return { p.x(), p.y(), p.z() };
@@ -149,8 +157,11 @@ void RegularTriangulation::insert(const std::vector<Ball>& balls, const Executio
   {
     centers.push_back(kernelPoint(ball.center));
   }
+  const std::uint32_t first = this->implementation->inserted;
   const auto weighted = [&](std::size_t i) {
-    return Regular::Weighted_point(centers[i], balls[i].radius * balls[i].radius);
+    const double jitter = 2e-9 * (scrambled(first + i) / 4294967296.0 - 0.5);
+    return Regular::Weighted_point(
+      centers[i], balls[i].radius * balls[i].radius * (1 + jitter));
   };
   insertInOrder(this->implementation->triangulation, spatialOrder(centers), weighted,
     this->implementation->inserted, execution);

@@ -16,6 +16,10 @@ Tetrahedra delaunay(const std::vector<Point>& points, const Execution& execution
 
 /// The regular triangulation of balls, weights their squared radii: the dual of their power diagram.
 /// A ball that has no power cell (hidden) is in no cell.
+///
+/// Weights get a relative jitter of 1e-9, the same in every run: every sample is a degenerate vertex
+/// of the power diagram, and without it exact arithmetic is spent on deciding rounding noise. Nothing
+/// but the choice among equals depends on it.
 class RegularTriangulation
 {
 public:
