@@ -31,7 +31,7 @@ namespace
 PruneOptions once(Measure measure, double threshold, int passes = 0)
 {
   PruneOptions options;
-  options.schedule = { PruneIteration{ measure, threshold, passes } };
+  options.schedule.push_back({ measure, threshold, passes });
   return options;
 }
 
@@ -253,7 +253,7 @@ TEST(Pruning, UntilNothingChangesLeavesNothingToDo)
            PruneIteration{ Measure::RelativeVolume, 0.01, 0 } })
     {
       PruneOptions options;
-      options.schedule = { iteration };
+      options.schedule.push_back(iteration);
       const Pruned first = medial::prune(p.axis(), options);
       const Pruned second = medial::prune(first.axis, options);
       EXPECT_EQ(corners(second.axis), corners(first.axis));
@@ -447,7 +447,7 @@ TEST(Pruning, RemovesHairAndKeepsBridges)
   drawing.edge(c, drawing.point(0, 6, 0));
   drawing.edge(a, drawing.point(5, 1, 0)); // hair on the bridge
   const MedialAxis axis = drawing.axis();
-  const Pruned pruned = medial::prune(axis, once(Measure::TriangleCount, 1));
+  const Pruned pruned = medial::prune(axis, once(Measure::TriangleCount, 5));
   expectBetti(pruned, { 1, 0, 0 });
   expectConsistent(axis, pruned);
   EXPECT_EQ(pruned.axis.cells.triangles.size(), 36u);
@@ -491,18 +491,20 @@ TEST(Pruning, KeepsOneOfEachPiece)
 
 TEST(Pruning, RemovesABranchWhole)
 {
-  // A stem between two discs, on edges: neither end can go alone by its level, the small one goes
-  // with the stem.
+  // A stem of 2 triangles carries two flaps of 4. It is the first in the order and can't go alone.
   Drawing drawing;
-  drawing.sheet(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), 8, 8);
-  const Point up(0, 0, 1);
-  drawing.sheet(Point(4, 4, 0), Point(0, 0, 1), Point(1, 0, 0), 3, 1);
-  drawing.sheet(Point(4, 4, 2), Point(0, 0, 1), Point(0, 1, 0), 1, 1);
+  const Point x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  drawing.sheet(Point(0, 0, 0), x, y, 8, 8);
+  drawing.sheet(Point(4, 4, 0), z, x, 1, 1);
+  drawing.sheet(Point(4, 4, 1), x, y, 1, 2);
+  drawing.sheet(Point(4, 4, 1), x, z - y, 1, 2);
   const MedialAxis axis = drawing.axis();
   ASSERT_EQ(axis.betti, (Betti{ 1, 0, 0 }));
-  const Pruned pruned = medial::prune(axis, once(Measure::TriangleCount, 10));
+  ASSERT_EQ(medial::decompose(axis).parts.size(), 4u);
+  const Pruned pruned = medial::prune(axis, once(Measure::TriangleCount, 10, 1));
   expectBetti(pruned, { 1, 0, 0 });
   EXPECT_EQ(pruned.axis.cells.triangles.size(), 128u);
+  EXPECT_EQ(pruned.history.at(0).removed, 3);
 }
 
 TEST(Pruning, TakesTheLeastSignificantFirst)
