@@ -327,6 +327,18 @@ void measureVolumes(const Spheres& spheres, const std::vector<Index>& ballOfCell
   }
 }
 
+std::vector<Tetrahedron> powerCells(const std::vector<Ball>& balls, const Execution& execution)
+{
+  std::vector<Ball> weighted;
+  for (Index b = 0; b < count(balls); ++b)
+  {
+    weighted.push_back(jittered(balls[b], b));
+  }
+  RegularTriangulation triangulation;
+  triangulation.insert(weighted, execution);
+  return triangulation.tetrahedra().cells;
+}
+
 /// Fills the arrays with one entry for each sample.
 void describeSamples(const DistinctSamples& distinct,
   const std::vector<std::array<Index, 2>>& ballsOfSample, PolarBalls& result)
@@ -410,9 +422,7 @@ PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execut
   result.samples = samples;
   const std::vector<Index> ballOfCell = numberBalls(spheres, poleClasses, result);
   collectSamples(spheres, ballOfCell, distinct.ids, result);
-  RegularTriangulation triangulation;
-  triangulation.insert(result.balls, execution.part(0.2, 0.8));
-  result.cells = triangulation.tetrahedra().cells;
+  result.cells = powerCells(result.balls, execution.part(0.2, 0.8));
 
   std::vector<std::array<Index, 2>> ballsOfSample(poleClasses.size());
   for (std::size_t s = 0; s < poleClasses.size(); ++s)

@@ -76,7 +76,8 @@ ChosenBalls chosenBalls(const PolarBalls& polarBalls, const std::vector<char>& k
       continue;
     }
     result.ids.push_back(b);
-    diagram.balls.push_back(frame.toLocal(polarBalls.balls[b]));
+    // As in the triangulation, so that power vertices are where its cells say.
+    diagram.balls.push_back(jittered(frame.toLocal(polarBalls.balls[b]), b));
     diagram.inner.push_back(inner);
     const IndexLists::View samples = polarBalls.ballSamples[b];
     diagram.samples.items.insert(diagram.samples.items.end(), samples.begin(), samples.end());

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace medial
 {
@@ -76,7 +77,7 @@ Point exactPowerCenter(const std::array<Ball, 4>& balls)
   return result;
 }
 
-/// Largest size of what is subtracted to get the right-hand sides, relative to the results.
+/// Largest size of what is subtracted to get the right-hand sides.
 double rightHandSize(const std::array<Ball, 4>& balls)
 {
   double size = 0;
@@ -90,16 +91,39 @@ double rightHandSize(const std::array<Ball, 4>& balls)
 }
 
 /// Largest 2x2 minor of the rows: how much an error of a right-hand side moves a numerator.
-double largestMinor(const PowerSystem<double>& s)
+double largestMinor(const std::array<Ball, 4>& balls)
 {
   double size = 0;
-  for (int i = 0; i < 3; ++i)
+  for (int i = 1; i < 4; ++i)
   {
-    const int j = (i + 1) % 3;
-    const Point u(s.a[i][0], s.a[i][1], s.a[i][2]), v(s.a[j][0], s.a[j][1], s.a[j][2]);
+    const Point u = balls[i].center - balls[0].center;
+    const Point v = balls[i % 3 + 1].center - balls[0].center;
     size = std::max(size, u.norm() * v.norm());
   }
   return size;
+}
+
+/// In floating-point numbers; nothing where their rounding could exceed the tolerance.
+template <typename Number>
+std::optional<Point> roundedPowerCenter(const std::array<Ball, 4>& balls, double tolerance)
+{
+  const Number rounding = 16 * std::numeric_limits<Number>::epsilon();
+  const PowerSystem<Number> system(balls);
+  const auto [det, detSize] = system.determinant(3, true);
+  const Number minors = 3 * largestMinor(balls) * rightHandSize(balls);
+  Point result;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto [numerator, size] = system.determinant(k, true);
+    const Number x = numerator / det;
+    const Number error = rounding * (size + minors + std::abs(x) * detSize) / std::abs(det);
+    if (!(error <= tolerance)) // NaN is not <=
+    {
+      return std::nullopt;
+    }
+    result[k] = static_cast<double>(x + balls[0].center[k]);
+  }
+  return result;
 }
 }
 
@@ -111,20 +135,12 @@ int orientation(const Point& a, const Point& b, const Point& c, const Point& d)
 
 Point powerCenter(const std::array<Ball, 4>& balls, double tolerance)
 {
-  const double rounding = 16 * std::numeric_limits<double>::epsilon();
-  const PowerSystem<double> system(balls);
-  const auto [det, detSize] = system.determinant(3, true);
-  const double minors = 3 * largestMinor(system) * rightHandSize(balls);
-  Point result;
-  double error = 0;
-  for (int k = 0; k < 3; ++k)
+  if (const auto center = roundedPowerCenter<double>(balls, tolerance))
   {
-    const auto [numerator, size] = system.determinant(k, true);
-    const double x = numerator / det;
-    result[k] = x + balls[0].center[k];
-    error = std::max(error, rounding * (size + minors + std::abs(x) * detSize) / std::abs(det));
+    return *center;
   }
-  return error <= tolerance ? result : exactPowerCenter(balls); // NaN is not <=
+  const auto center = roundedPowerCenter<long double>(balls, tolerance);
+  return center ? *center : exactPowerCenter(balls);
 }
 
 Ball circumsphere(const std::array<Point, 4>& points, double tolerance)

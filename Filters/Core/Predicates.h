@@ -13,7 +13,7 @@ int orientation(const Point& a, const Point& b, const Point& c, const Point& d);
 /// The point with the same power |x - center|^2 - radius^2 to four balls.
 ///
 /// Constructed in doubles; where their rounding could move it by more than `tolerance` (flat
-/// tetrahedra), in exact rationals, rounded once.
+/// tetrahedra), in longer numbers, and at last in exact rationals, rounded once.
 /// @param balls  centres not in one plane (exactly)
 Point powerCenter(const std::array<Ball, 4>& balls, double tolerance);
 

@@ -81,6 +81,7 @@ public:
 private:
   void iterate(const PruneIteration& iteration)
   {
+    this->inherited.assign(this->axis.cells.size(), 0);
     Round round = this->newRound(iteration.measure);
     PruneRow row = this->newRow(round);
     row.measure = iteration.measure;
@@ -129,9 +130,9 @@ private:
     Index refused = 0;
     for (const Index part : parts)
     {
-      if (round.gone[part])
+      if (round.gone[part] || round.significance[part] > iteration.threshold)
       {
-        continue;
+        continue; // gone with a branch, or it has inherited
       }
       std::vector<Index> unit{ part };
       if (!this->mayGo(round, unit))
@@ -190,6 +191,32 @@ private:
       round.gone[part] = 1;
     }
     row.removed += count(parts);
+    this->bequeath(round, parts);
+  }
+
+  /// The most significant part that removed ones were attached to takes over their significance for
+  /// the rest of the iteration: what goes at one place in several passes counts together.
+  void bequeath(Round& round, const std::vector<Index>& parts)
+  {
+    double sum = 0;
+    Index heir = None;
+    for (const Index part : parts)
+    {
+      sum += round.significance[part];
+      for (const Index neighbor : round.neighbors[part])
+      {
+        if (!round.gone[neighbor] &&
+          (heir == None || round.significance[neighbor] > round.significance[heir]))
+        {
+          heir = neighbor;
+        }
+      }
+    }
+    if (heir != None)
+    {
+      round.significance[heir] += sum;
+      this->inherited[round.partition.cells[heir][0]] += sum;
+    }
   }
 
   /// The part and the smaller pieces that only it connects with the rest, if their significance sums
@@ -265,6 +292,13 @@ private:
         {
           round.significance[partOf[b]] += this->axis.ballVolumes[b] / this->totalVolume;
         }
+      }
+    }
+    for (Index cell = 0; cell < count(this->inherited); ++cell)
+    {
+      if (round.partition.partOfCell[cell] != None)
+      {
+        round.significance[round.partition.partOfCell[cell]] += this->inherited[cell];
       }
     }
     round.neighbors = this->touchingParts(round.partition);
@@ -461,6 +495,7 @@ private:
   AxisEdges edges;
   LivingCells living;
   double totalVolume;
+  std::vector<double> inherited; ///< by cell, in the measure of the iteration
   Pruned result;
 };
 }

@@ -120,6 +120,12 @@ Kernel::Point_3 kernelPoint(const Point& p)
 }
 }
 
+Ball jittered(const Ball& ball, Index number)
+{
+  const double change = 1e-9 * (scrambled(number) / 4294967296.0 - 0.5);
+  return { ball.center, ball.radius * (1 + change) };
+}
+
 Tetrahedra delaunay(const std::vector<Point>& points, const Execution& execution)
 {
   std::vector<Kernel::Point_3> kernelPoints;
@@ -157,11 +163,8 @@ void RegularTriangulation::insert(const std::vector<Ball>& balls, const Executio
   {
     centers.push_back(kernelPoint(ball.center));
   }
-  const std::uint32_t first = this->implementation->inserted;
   const auto weighted = [&](std::size_t i) {
-    const double jitter = 2e-9 * (scrambled(first + i) / 4294967296.0 - 0.5);
-    return Regular::Weighted_point(
-      centers[i], balls[i].radius * balls[i].radius * (1 + jitter));
+    return Regular::Weighted_point(centers[i], balls[i].radius * balls[i].radius);
   };
   insertInOrder(this->implementation->triangulation, spatialOrder(centers), weighted,
     this->implementation->inserted, execution);

@@ -14,12 +14,14 @@ namespace medial
 /// The Delaunay triangulation of distinct points; no cells where they lie in a plane.
 Tetrahedra delaunay(const std::vector<Point>& points, const Execution& execution = {});
 
+/// Ball `number` with a squared radius changed by up to 1e-9 of it, in the same way in every run.
+///
+/// Every sample is a degenerate vertex of the power diagram of the polar balls. Without the change
+/// exact arithmetic decides rounding noise there, for most of the time.
+Ball jittered(const Ball& ball, Index number);
+
 /// The regular triangulation of balls, weights their squared radii: the dual of their power diagram.
 /// A ball that has no power cell (hidden) is in no cell.
-///
-/// Weights get a relative jitter of 1e-9, the same in every run: every sample is a degenerate vertex
-/// of the power diagram, and without it exact arithmetic is spent on deciding rounding noise. Nothing
-/// but the choice among equals depends on it.
 class RegularTriangulation
 {
 public:
