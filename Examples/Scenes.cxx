@@ -166,9 +166,9 @@ vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface)
   normals->SetFeatureAngle(45);
   auto actor = actorOf(normals);
   vtkProperty* look = actor->GetProperty();
-  look->SetColor(0.93, 0.9, 0.84);
+  look->SetColor(0.97, 0.93, 0.86);
   look->SetAmbient(0.18);
-  look->SetDiffuse(0.88);
+  look->SetDiffuse(0.9);
   look->SetSpecular(0.15);
   look->SetSpecularPower(25);
   return actor;
