@@ -515,6 +515,15 @@ std::vector<Point> scaled(std::vector<Point> points, double factor)
   return points;
 }
 
+std::vector<Point> roundedToFloats(std::vector<Point> points)
+{
+  for (Point& point : points)
+  {
+    point = point.cast<float>().cast<double>();
+  }
+  return points;
+}
+
 std::vector<Point> moved(std::vector<Point> points, const Point& by)
 {
   for (Point& point : points)

@@ -59,6 +59,9 @@ std::vector<Point> cloud(int size, unsigned seed);
 // Motions.
 
 std::vector<Point> scaled(std::vector<Point> points, double factor);
+/// As they come from a file of floats.
+std::vector<Point> roundedToFloats(std::vector<Point> points);
+
 std::vector<Point> moved(std::vector<Point> points, const Point& by);
 std::vector<Point> rotated(std::vector<Point> points, unsigned seed, bool back = false);
 

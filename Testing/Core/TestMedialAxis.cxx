@@ -134,6 +134,22 @@ TEST(MedialAxis, HasNoDuplicatePoints)
   });
 }
 
+TEST(MedialAxis, HasNoDuplicatePointsWhereSamplesWereRounded)
+{
+  // Poles that were the same are now some 1e-8 apart: near the tolerance.
+  for (const shapes::Shape& shape : { shapes::sphere(), shapes::sphere(0.08), shapes::capsule(),
+         shapes::twoObjects(), shapes::hollowSphere() })
+  {
+    SCOPED_TRACE(testing::Message() << shape.name << " of " << shape.samples.size());
+    const std::vector<Point> samples = shapes::roundedToFloats(shape.samples);
+    const MedialAxis axis = medial::medialAxis(medial::polarBalls(samples));
+    EXPECT_EQ(axis.betti, shape.betti);
+    EXPECT_EQ(pipelines::independentBetti(axis), shape.betti);
+    EXPECT_TRUE(axis.certificate);
+    EXPECT_EQ(validators::nearDuplicates(axis.points, 1e-9 * validators::diagonal(samples)), 0);
+  }
+}
+
 TEST(MedialAxis, UsesEveryPointAndRepeatsNoCell)
 {
   forEachShape([](Pipeline& p) {
