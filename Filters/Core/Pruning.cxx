@@ -2,12 +2,14 @@
 #include "Pruning.h"
 
 #include "AxisEdges.h"
+#include "DisjointSets.h"
 #include "PartCollapse.h"
 #include "Partition.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <numeric>
+#include <queue>
 
 namespace medial
 {
@@ -35,13 +37,51 @@ void requireValid(const MedialAxis& axis, const PruneOptions& options)
   }
 }
 
-/// The parts as one pass finds them, with what decides about them.
+/// The parts as one pass finds them, with what decides about them. Parts grow together when what
+/// parted them is removed; a part then stands for all that grew into it.
 struct Round
 {
   Partition partition;
+  DisjointSets grown{ 0 };
+  std::vector<std::vector<Index>> cells;
   std::vector<double> significance;
   std::vector<char> gone;
-  IndexLists neighbors; ///< parts that share a point
+  std::vector<std::vector<Index>> neighbors; ///< parts that share a point, before they grew
+
+  Index size() const { return count(this->cells); }
+  bool isAtBorder(Index part) const { return this->partition.level[part] == 1; }
+
+  Index merge(Index a, Index b)
+  {
+    const Index into = std::min(a, b), from = std::max(a, b);
+    const auto append = [](std::vector<Index>& to, const std::vector<Index>& list) {
+      to.insert(to.end(), list.begin(), list.end());
+    };
+    this->grown.unite(a, b);
+    append(this->cells[into], this->cells[from]);
+    append(this->neighbors[into], this->neighbors[from]);
+    this->significance[into] += this->significance[from];
+    int& level = this->partition.level[into];
+    level = this->isAtBorder(from) ? 1 : level;
+    return into;
+  }
+
+  /// The living parts that touch one, each once, ascending.
+  std::vector<Index> around(Index part)
+  {
+    std::vector<Index> result;
+    for (const Index neighbor : this->neighbors[part])
+    {
+      const Index now = this->grown.find(neighbor);
+      if (now != part && !this->gone[now])
+      {
+        result.push_back(now);
+      }
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
 };
 
 class Pruner
@@ -104,35 +144,34 @@ private:
     this->finish(row, round);
   }
 
-  /// Parts of level 1 with at most the threshold and at most this dimension, least significant first.
-  std::vector<Index> candidates(
-    const Round& round, const PruneIteration& iteration, int dimension) const
-  {
-    std::vector<Index> result;
-    for (Index part = 0; part < count(round.significance); ++part)
-    {
-      if (round.partition.level[part] == 1 && round.partition.dimension[part] <= dimension &&
-        round.significance[part] <= iteration.threshold)
-      {
-        result.push_back(part);
-      }
-    }
-    std::stable_sort(result.begin(), result.end(),
-      [&](Index a, Index b) { return round.significance[a] < round.significance[b]; });
-    return result;
-  }
-
-  /// One walk over the candidates. @return  was anything removed?
+  /// One walk over the parts of level 1 with at most the threshold and at most this dimension, least
+  /// significant first. @return  was anything removed?
   bool pass(Round& round, const PruneIteration& iteration, int dimension, PruneRow& row)
   {
-    const std::vector<Index> parts = this->candidates(round, iteration, dimension);
-    bool changed = false;
-    Index refused = 0;
-    for (const Index part : parts)
-    {
-      if (round.gone[part] || round.significance[part] > iteration.threshold)
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    const auto offer = [&](Index part) {
+      if (round.isAtBorder(part) && round.partition.dimension[part] <= dimension &&
+        round.significance[part] <= iteration.threshold)
       {
-        continue; // gone with a branch, or it has inherited
+        queue.push({ round.significance[part], part });
+      }
+    };
+    for (Index part = 0; part < round.size(); ++part)
+    {
+      offer(part);
+    }
+    const Index candidates = static_cast<Index>(queue.size());
+    const Index removedBefore = row.removed;
+    row.refused = 0;
+    while (!queue.empty())
+    {
+      const auto [significance, part] = queue.top();
+      queue.pop();
+      if (round.gone[part] || round.grown.find(part) != part ||
+        round.significance[part] != significance)
+      {
+        continue; // gone with a branch, grown into another one, or it has inherited
       }
       std::vector<Index> unit{ part };
       if (!this->mayGo(round, unit))
@@ -142,18 +181,16 @@ private:
       }
       if (unit.empty() || (unit.size() > 1 && !this->mayGo(round, unit)))
       {
-        ++refused;
+        ++row.refused;
         continue;
       }
-      this->remove(round, unit, row);
-      changed = true;
+      for (const Index changed : this->remove(round, unit, row))
+      {
+        offer(changed);
+      }
     }
-    if (row.passes == 0)
-    {
-      row.candidates = std::max(row.candidates, count(parts));
-    }
-    row.refused = refused;
-    return changed;
+    row.candidates = row.passes == 0 ? std::max(row.candidates, candidates) : row.candidates;
+    return row.removed > removedBefore;
   }
 
   std::vector<Index> cellsOf(const Round& round, const std::vector<Index>& parts) const
@@ -161,7 +198,7 @@ private:
     std::vector<Index> cells;
     for (const Index part : parts)
     {
-      const IndexLists::View own = round.partition.cells[part];
+      const std::vector<Index>& own = round.cells[part];
       cells.insert(cells.end(), own.begin(), own.end());
     }
     return cells;
@@ -177,7 +214,8 @@ private:
     return this->living.effectOfRemoving(cells) == Effect::None;
   }
 
-  void remove(Round& round, const std::vector<Index>& parts, PruneRow& row)
+  /// Removes parts. @return  the parts whose significance changed
+  std::vector<Index> remove(Round& round, const std::vector<Index>& parts, PruneRow& row)
   {
     const std::vector<Index> cells = this->cellsOf(round, parts);
     this->living.remove(cells);
@@ -191,22 +229,24 @@ private:
       round.gone[part] = 1;
     }
     row.removed += count(parts);
-    this->bequeath(round, parts);
+    std::vector<Index> changed{ this->bequeath(round, parts) };
+    this->growTogether(round, cells, changed);
+    changed.erase(std::remove(changed.begin(), changed.end(), None), changed.end());
+    return changed;
   }
 
   /// The most significant part that removed ones were attached to takes over their significance for
-  /// the rest of the iteration: what goes at one place in several passes counts together.
-  void bequeath(Round& round, const std::vector<Index>& parts)
+  /// the rest of the iteration: what goes at one place, one after the other, counts together.
+  Index bequeath(Round& round, const std::vector<Index>& parts)
   {
     double sum = 0;
     Index heir = None;
     for (const Index part : parts)
     {
       sum += round.significance[part];
-      for (const Index neighbor : round.neighbors[part])
+      for (const Index neighbor : round.around(part))
       {
-        if (!round.gone[neighbor] &&
-          (heir == None || round.significance[neighbor] > round.significance[heir]))
+        if (heir == None || round.significance[neighbor] > round.significance[heir])
         {
           heir = neighbor;
         }
@@ -215,13 +255,45 @@ private:
     if (heir != None)
     {
       round.significance[heir] += sum;
-      this->inherited[round.partition.cells[heir][0]] += sum;
+      this->inherited[round.cells[heir][0]] += sum;
     }
+    return heir;
+  }
+
+  /// Where an edge of removed triangles has two triangles left, their parts are one from now on.
+  void growTogether(
+    Round& round, const std::vector<Index>& removed, std::vector<Index>& changed) const
+  {
+    const Index first = this->axis.cells.firstTriangle();
+    for (const Index cell : removed)
+    {
+      for (int k = 0; k < 3 && cell >= first; ++k)
+      {
+        std::vector<Index> left;
+        for (const Index t : this->edges.triangles[this->edges.ofTriangle[cell - first][k]])
+        {
+          if (this->living.isLiving(first + t))
+          {
+            left.push_back(round.grown.find(round.partition.partOfCell[first + t]));
+          }
+        }
+        if (left.size() == 2 && left[0] != left[1])
+        {
+          changed.push_back(round.merge(left[0], left[1]));
+        }
+      }
+    }
+    for (Index& part : changed)
+    {
+      part = part == None ? None : round.grown.find(part);
+    }
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   }
 
   /// The part and the smaller pieces that only it connects with the rest, if their significance sums
   /// to at most the threshold; else empty.
-  std::vector<Index> branch(const Round& round, Index part, double threshold) const
+  std::vector<Index> branch(Round& round, Index part, double threshold) const
   {
     std::vector<Index> unit{ part };
     double sum = round.significance[part];
@@ -230,9 +302,9 @@ private:
     const auto wasVisited = [&visited](Index p) {
       return std::find(visited.begin(), visited.end(), p) != visited.end();
     };
-    for (const Index start : round.neighbors[part])
+    for (const Index start : round.around(part))
     {
-      if (round.gone[start] || wasVisited(start))
+      if (wasVisited(start))
       {
         continue;
       }
@@ -245,10 +317,10 @@ private:
       {
         pieceSum += round.significance[piece[i]];
         large = sum + pieceSum > threshold || piece.size() > branchLimit;
-        for (const Index next : round.neighbors[piece[i]])
+        for (const Index next : round.around(piece[i]))
         {
           const auto known = std::find(visited.begin(), visited.end(), next);
-          if (known == visited.end() && !round.gone[next])
+          if (known == visited.end())
           {
             visited.push_back(next);
             piece.push_back(next);
@@ -274,8 +346,14 @@ private:
     Round round;
     round.partition = partition(this->axis.cells, this->edges, this->living.mask());
     const Index parts = count(round.partition.dimension);
+    round.grown = DisjointSets(parts);
     round.gone.assign(parts, 0);
     round.significance.assign(parts, 0);
+    for (Index part = 0; part < parts; ++part)
+    {
+      const IndexLists::View own = round.partition.cells[part];
+      round.cells.emplace_back(own.begin(), own.end());
+    }
     if (measure == Measure::TriangleCount)
     {
       for (Index part = 0; part < parts; ++part)
@@ -305,7 +383,7 @@ private:
     return round;
   }
 
-  IndexLists touchingParts(const Partition& partition) const
+  std::vector<std::vector<Index>> touchingParts(const Partition& partition) const
   {
     std::vector<std::vector<Index>> partsAt(this->axis.points.size());
     const AxisCells& cells = this->axis.cells;
@@ -345,15 +423,12 @@ private:
         }
       }
     }
-    IndexLists result;
     for (std::vector<Index>& list : touching)
     {
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
-      result.items.insert(result.items.end(), list.begin(), list.end());
-      result.close();
     }
-    return result;
+    return touching;
   }
 
   /// The named parts that may go, each when it may; those that are left, together.
@@ -395,6 +470,7 @@ private:
       named.clear();
     }
     row.refused = count(named);
+    this->refusedCells = this->cellsOf(round, named);
     this->finish(row, this->newRound(Measure::TriangleCount));
   }
 
@@ -470,7 +546,7 @@ private:
     for (Index part = 0; part < count(round.significance); ++part)
     {
       KeepReason reason = KeepReason::Topology;
-      if (round.neighbors[part].size() == 0)
+      if (round.neighbors[part].empty())
       {
         reason = KeepReason::Isolated;
       }
@@ -484,6 +560,10 @@ private:
       }
       this->result.keepReason.push_back(reason);
     }
+    for (const Index cell : this->refusedCells)
+    {
+      this->result.keepReason[round.partition.partOfCell[cell]] = KeepReason::Topology;
+    }
   }
 
   /// A rest of more parts than this counts as large, whatever their significance.
@@ -495,7 +575,8 @@ private:
   AxisEdges edges;
   LivingCells living;
   double totalVolume;
-  std::vector<double> inherited; ///< by cell, in the measure of the iteration
+  std::vector<Index> refusedCells; ///< named by hand, kept for topology
+  std::vector<double> inherited;   ///< by cell, in the measure of the iteration
   Pruned result;
 };
 }

@@ -37,7 +37,8 @@ struct PruneOptions
 {
   std::vector<PruneIteration> schedule;
   Topology topology = Topology::Collapse;
-  bool removeHair = true;     ///< dangling edges with a free end go first
+  bool removeHair = true;     ///< in each pass chains of dangling edges with a free end and at most
+                              ///< the threshold (an edge counts like a triangle) go first
   bool removeBranches = true; ///< a part goes with the smaller rest that it alone connects, where
                               ///< their summed significance is at most the threshold
 

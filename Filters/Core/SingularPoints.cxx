@@ -2,6 +2,7 @@
 #include "SingularPoints.h"
 
 #include "Frame.h"
+#include "PowerLocator.h"
 #include "Predicates.h"
 
 #include <Eigen/Geometry>
@@ -68,6 +69,20 @@ std::optional<Point> boundaryIntersection(const Ball& a, const Ball& b, const Ba
   return p;
 }
 
+/// Is a point that lies on an inner ball inside no other one?
+bool isOnUnion(
+  const PowerLocator& locator, const std::vector<Side>& sides, const Point& p, Index ball)
+{
+  const Index cell = locator.locate(p, ball);
+  if (cell == None)
+  {
+    return true;
+  }
+  const Index nearest = locator.nearestBall(p, cell);
+  const Ball& other = locator.balls()[nearest];
+  return sides[nearest] != Side::Inner || (p - other.center).norm() > other.radius - coincident;
+}
+
 /// The balls of a triangle, turned so that they are counter-clockwise seen from its side `side`.
 Triangle seenFrom(const Tetrahedra& mesh, const ShapeTriangle& triangle, int side)
 {
@@ -100,6 +115,7 @@ struct Crossing
 std::vector<Crossing> crossings(const PolarBalls& polarBalls, const PowerShape& shape,
   const Frame& frame, const Execution& execution)
 {
+  const PowerLocator locator(shape.triangulation, polarBalls.balls, frame);
   std::vector<std::optional<Crossing>> found(2 * shape.triangles.size());
   execution.forEach(count(found), [&](Index i) {
     const ShapeTriangle& triangle = shape.triangles[i / 2];
@@ -118,8 +134,9 @@ std::vector<Crossing> crossings(const PolarBalls& polarBalls, const PowerShape& 
     {
       return; // the singular point is that sample
     }
-    const auto local = [&](int k) { return frame.toLocal(polarBalls.balls[balls[k]]); };
-    if (const auto point = boundaryIntersection(local(0), local(1), local(2)))
+    const auto local = [&](int k) { return locator.balls()[balls[k]]; };
+    const auto point = boundaryIntersection(local(0), local(1), local(2));
+    if (point && isOnUnion(locator, polarBalls.sides, *point, balls[0]))
     {
       found[i] = { triangle.balls, frame.toWorld(*point) };
     }
@@ -157,12 +174,22 @@ SingularPoints singularPoints(
     result.balls.items.insert(result.balls.items.end(), balls.begin(), balls.end());
     result.balls.close();
   };
+  // In an order that doesn't depend on the order in which the samples were given.
+  std::vector<Index> order;
   for (Index s = 0; s < count(ballsOfSample); ++s)
   {
     if (!ballsOfSample[s].empty())
     {
-      add(polarBalls.samples[s], s, ballsOfSample[s]);
+      order.push_back(s);
     }
+  }
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    const Point &p = polarBalls.samples[a], &q = polarBalls.samples[b];
+    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
+  });
+  for (const Index s : order)
+  {
+    add(polarBalls.samples[s], s, ballsOfSample[s]);
   }
   execution.report(0.1);
   const Frame frame = frameOf(polarBalls.samples);

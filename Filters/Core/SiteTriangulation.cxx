@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SiteTriangulation.h"
 
+#include "PowerLocator.h"
 #include "Predicates.h"
 #include "Triangulations.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
@@ -28,81 +31,43 @@ Index commonBall(const IndexLists& balls, const Tetrahedron& corners)
   return None;
 }
 
-/// Finds the cell of the balls' triangulation that contains a point, by walking.
-struct Locator
-{
-  const Tetrahedra& mesh;
-  const std::vector<Ball>& balls;    ///< local
-  const std::vector<Index> cellAtBall;
-
-  /// @return  None outside the convex hull
-  Index locate(const Point& p, Index start) const
-  {
-    // A visibility walk ends in a regular triangulation; the limit is for cells that rounding turned.
-    constexpr int stepLimit = 100000;
-    Index cell = start, from = None;
-    for (int step = 0; step < stepLimit && cell != None; ++step)
-    {
-      int k = 0;
-      for (; k < 4; ++k)
-      {
-        const int i = (step + k) % 4;
-        const Index next = this->mesh.neighbors[cell][i];
-        if ((next == None || next != from) && this->isBeyond(p, cell, i))
-        {
-          from = cell;
-          cell = next;
-          break;
-        }
-      }
-      if (k == 4)
-      {
-        return cell;
-      }
-    }
-    return None;
-  }
-
-  /// The ball of the cell with the least power at a point.
-  Index nearestBall(const Point& p, Index cell) const
-  {
-    const auto power = [&](Index b) {
-      return (this->balls[b].center - p).squaredNorm() - this->balls[b].radius * this->balls[b].radius;
-    };
-    const Tetrahedron& corners = this->mesh.cells[cell];
-    return *std::min_element(
-      corners.begin(), corners.end(), [&](Index a, Index b) { return power(a) < power(b); });
-  }
-
-private:
-  bool isBeyond(const Point& p, Index cell, int side) const
-  {
-    const Triangle t = facet(this->mesh.cells[cell], side);
-    return orientation(
-             this->balls[t[0]].center, this->balls[t[1]].center, this->balls[t[2]].center, p) < 0;
-  }
-};
-
-std::vector<Index> cellAtBall(const Tetrahedra& mesh, Index ballCount)
-{
-  std::vector<Index> result(ballCount, None);
-  for (Index c = 0; c < count(mesh.cells); ++c)
-  {
-    for (const Index ball : mesh.cells[c])
-    {
-      result[ball] = c;
-    }
-  }
-  return result;
-}
-
 /// What decides about a cell that is on no ball.
 struct Classifier
 {
+  /// Is a point of a cell outside the shape on a lower simplex of the shape, up to rounding? Where
+  /// the axis is a plane the tetrahedra of the shape have no volume.
+  bool isOnShape(const Point& p, Index cell) const
+  {
+    std::vector<Point> inner;
+    for (const Index ball : this->shape.triangulation.cells[cell])
+    {
+      if (this->polarBalls.sides[ball] == Side::Inner)
+      {
+        inner.push_back(this->locator.balls()[ball].center);
+      }
+    }
+    if (inner.empty())
+    {
+      return false;
+    }
+    Point offset = p - inner[0];
+    if (inner.size() == 2)
+    {
+      const Point along = (inner[1] - inner[0]).normalized();
+      offset -= offset.dot(along) * along;
+    }
+    else if (inner.size() == 3)
+    {
+      const Point normal = (inner[1] - inner[0]).cross(inner[2] - inner[0]).normalized();
+      offset = offset.dot(normal) * normal;
+    }
+    return offset.norm() < coincident;
+  }
+
   const PolarBalls& polarBalls;
   const PowerShape& shape;
   const SingularPoints& sites;
-  const Locator& locator;
+  const PowerLocator& locator;
   const std::vector<double>& largestBall; ///< through each site
   Point lower, upper;                     ///< of the samples
 
@@ -115,13 +80,12 @@ struct Classifier
       return;
     }
     const Tetrahedron& corners = result.mesh.cells[c];
-    const Index start = this->locator.cellAtBall[this->sites.balls[corners[0]][0]];
-    const Index cell = this->locator.locate(sphere.center, start);
+    const Index cell = this->locator.locate(sphere.center, this->sites.balls[corners[0]][0]);
     if (cell == None)
     {
       return;
     }
-    result.isCore[c] = this->shape.contains[cell];
+    result.isCore[c] = this->shape.contains[cell] || this->isOnShape(sphere.center, cell);
     const Index nearest = this->locator.nearestBall(sphere.center, cell);
     if (result.isCore[c] || this->polarBalls.sides[nearest] == Side::Inner)
     {
@@ -134,14 +98,6 @@ struct Classifier
     }
   }
 };
-
-std::vector<Ball> localBalls(const std::vector<Ball>& balls, const Frame& frame)
-{
-  std::vector<Ball> result(balls.size());
-  std::transform(balls.begin(), balls.end(), result.begin(),
-    [&](const Ball& ball) { return frame.toLocal(ball); });
-  return result;
-}
 
 std::vector<double> largestBalls(const SingularPoints& sites, const std::vector<Ball>& balls)
 {
@@ -170,10 +126,9 @@ SiteTriangulation siteTriangulation(const PolarBalls& polarBalls, const PowerSha
   execution.report(0.6);
 
   const Index cellCount = count(result.mesh.cells);
-  const std::vector<Ball> balls = localBalls(polarBalls.balls, frame);
+  const PowerLocator locator(shape.triangulation, polarBalls.balls, frame);
+  const std::vector<Ball>& balls = locator.balls();
   const std::vector<double> largest = largestBalls(sites, balls);
-  const Locator locator{ shape.triangulation, balls,
-    cellAtBall(shape.triangulation, count(balls)) };
   Classifier classifier{ polarBalls, shape, sites, locator, largest, points[0], points[0] };
   for (const Point& sample : polarBalls.samples)
   {
