@@ -4,7 +4,6 @@
 #include "DisjointSets.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace medial
 {
@@ -189,12 +188,11 @@ Betti bettiNumbers(const SiteTriangulation& sites, const OpenSet& set)
 
 void carve(const SiteTriangulation& sites, OpenSet& set, const Execution& execution)
 {
-  const double X = getenv("CARVE") ? atof(getenv("CARVE")) : 1e9;
   Outside outside = outsideOf(sites, set);
   std::vector<Index> order;
   for (Index c = 0; c < count(set.cells); ++c)
   {
-    if (set.cells[c] && !sites.isCore[c] && sites.depth[c] < X)
+    if (set.cells[c] && !sites.isCore[c])
     {
       order.push_back(c);
     }
