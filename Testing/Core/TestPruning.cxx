@@ -531,7 +531,6 @@ TEST(Pruning, KeepReasonsTellTheThreshold)
       const medial::MedialPart& part = pruned.parts.parts[i];
       if (part.dimension == 2)
       {
-        EXPECT_TRUE(pruned.keepReason[i] != KeepReason::AboveThreshold || part.triangles > 5);
         EXPECT_TRUE(pruned.keepReason[i] != KeepReason::InnerLevel || part.level != 1);
         EXPECT_TRUE(pruned.keepReason[i] != KeepReason::Topology || part.triangles <= 5);
       }
