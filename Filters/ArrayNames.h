@@ -28,6 +28,7 @@ constexpr const char* NumberOfDuplicates = "NumberOfDuplicates";
 constexpr const char* NumberOfInnerBalls = "NumberOfInnerBalls";
 constexpr const char* NumberOfOuterBalls = "NumberOfOuterBalls";
 constexpr const char* NumberOfHiddenBalls = "NumberOfHiddenBalls";
+constexpr const char* SampleSpacing = "SampleSpacing";
 constexpr const char* BettiPowerShape = "BettiPowerShape";
 
 // vtkMedialAxis: points

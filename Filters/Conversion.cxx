@@ -22,6 +22,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <ostream>
 #include <set>
@@ -188,6 +189,7 @@ void addCounts(vtkFieldData* field, const PolarBalls& balls)
   addOne<vtkIdTypeArray>(field, names::NumberOfInnerBalls, ballsOn(Side::Inner));
   addOne<vtkIdTypeArray>(field, names::NumberOfOuterBalls, ballsOn(Side::Outer));
   addOne<vtkIdTypeArray>(field, names::NumberOfHiddenBalls, ballsOn(Side::Hidden));
+  addOne<vtkDoubleArray>(field, names::SampleSpacing, balls.spacing);
 }
 
 Index offAxisBalls(const std::vector<Index>& ballOwner)
@@ -376,6 +378,7 @@ PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
   result.samplingQuality = field.reals(names::SamplingQuality, sampleCount);
   result.ballSamples =
     field.lists(names::BallSampleOffsets, names::BallSamples, ballCount, sampleCount);
+  result.spacing = field.reals(names::SampleSpacing, 1, std::numeric_limits<double>::min()).front();
   result.cells = readTetrahedra(input, ballCount);
   return result;
 }

@@ -99,7 +99,8 @@ public:
 
   ///@{
   /**
-   * Remove lines with a free end first. Default on.
+   * In each pass remove chains of lines with a free end first, where they have at most the threshold;
+   * a line counts like a triangle. Default on.
    */
   vtkSetMacro(RemoveHair, bool);
   vtkGetMacro(RemoveHair, bool);

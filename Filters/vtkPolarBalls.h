@@ -32,6 +32,7 @@
  * Field data, single values
  *  - `NumberOfSamples`, `NumberOfDuplicates`, `NumberOfInnerBalls`, `NumberOfOuterBalls`,
  *    `NumberOfHiddenBalls` (vtkIdType).
+ *  - `SampleSpacing` (double, > 0): mean distance of a distinct sample to the nearest other one.
  *  - `BettiPowerShape` (vtkIdType, 3 components): pieces, tunnels and voids of the power shape,
  *    which are those of the solid.
  *

@@ -142,7 +142,7 @@ vtkSmartPointer<vtkPolyData> cloud(const std::vector<medial::Point>& points)
 
 const shapes::Shape& smallBox()
 {
-  static const shapes::Shape box = shapes::box(0.2);
+  static const shapes::Shape box = shapes::box(0.12);
   return box;
 }
 

@@ -37,10 +37,10 @@ TEST(MedialPartDecomposition, AddsTheArraysOfItsHeader)
   vtkPolyData *axis = boxPipeline().axis->GetOutput(), *parts = boxPipeline().parts->GetOutput();
   EXPECT_EQ(arrays(parts->GetPointData()), arrays(axis->GetPointData()));
   EXPECT_EQ(arrays(parts->GetCellData()),
-    (std::vector<std::string>{ "PartId vtkIdType 1", "PartLevel int 1", "PolygonId vtkIdType 1",
-      "RelativeVolume double 1", "SiteSamples vtkIdType 2", "TriangleCount vtkIdType 1" }));
+    (std::vector<std::string>{ "PartId idtype 1", "PartLevel int 1", "PolygonId idtype 1",
+      "RelativeVolume double 1", "SiteSamples idtype 2", "TriangleCount idtype 1" }));
   std::vector<std::string> expected = arrays(axis->GetFieldData());
-  expected.emplace_back("NumberOfParts vtkIdType 1");
+  expected.emplace_back("NumberOfParts idtype 1");
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(arrays(parts->GetFieldData()), expected);
 }
@@ -48,18 +48,18 @@ TEST(MedialPartDecomposition, AddsTheArraysOfItsHeader)
 TEST(MedialPartDecomposition, HasTheColumnsOfItsHeader)
 {
   EXPECT_EQ(arrays(partTable()->GetRowData()),
-    (std::vector<std::string>{ "Area double 1", "Bounds double 6", "Contacts vtkIdType 1",
+    (std::vector<std::string>{ "Area double 1", "Bounds double 6", "Contacts idtype 1",
       "Dimension int 1", "Level int 1", "MaximumRadius double 1", "MeanRadius double 1",
-      "MinimumRadius double 1", "PartId vtkIdType 1", "RelativeVolume double 1",
-      "Triangles vtkIdType 1", "Volume double 1" }));
+      "MinimumRadius double 1", "PartId idtype 1", "RelativeVolume double 1", "Triangles idtype 1",
+      "Volume double 1" }));
 }
 
 TEST(MedialPartDecomposition, HasTheArraysOfItsHeaderOnContacts)
 {
   auto* contacts = vtkPolyData::SafeDownCast(boxPipeline().parts->GetOutputDataObject(2));
-  EXPECT_EQ(arrays(contacts->GetCellData()), (std::vector<std::string>{ "ContactId vtkIdType 1" }));
+  EXPECT_EQ(arrays(contacts->GetCellData()), (std::vector<std::string>{ "ContactId idtype 1" }));
   EXPECT_EQ(arrays(contacts->GetFieldData()),
-    (std::vector<std::string>{ "ContactPartOffsets vtkIdType 1", "ContactParts vtkIdType 1" }));
+    (std::vector<std::string>{ "ContactPartOffsets idtype 1", "ContactParts idtype 1" }));
 }
 
 TEST(MedialPartDecomposition, KeepsTheCellsOfTheAxis)

@@ -48,27 +48,27 @@ TEST(MedialPrune, HasTheArraysOfItsHeader)
   EXPECT_EQ(arrays(pruned->GetPointData()), arrays(parts->GetPointData()));
   EXPECT_EQ(arrays(pruned->GetFieldData()), arrays(parts->GetFieldData()));
   EXPECT_EQ(arrays(pruned->GetCellData()),
-    (std::vector<std::string>{ "KeepReason unsigned char 1", "PartId vtkIdType 1",
-      "PartLevel int 1", "PolygonId vtkIdType 1", "RelativeVolume double 1",
-      "SiteSamples vtkIdType 2", "TriangleCount vtkIdType 1" }));
+    (std::vector<std::string>{ "KeepReason unsigned char 1", "PartId idtype 1", "PartLevel int 1",
+      "PolygonId idtype 1", "RelativeVolume double 1", "SiteSamples idtype 2",
+      "TriangleCount idtype 1" }));
 }
 
 TEST(MedialPrune, HasTheColumnsOfItsHeader)
 {
   EXPECT_EQ(arrays(history(boxPipeline().prune)->GetRowData()),
-    (std::vector<std::string>{ "Betti vtkIdType 3", "ByHand unsigned char 1",
-      "Candidates vtkIdType 1", "Iteration vtkIdType 1", "Measure int 1", "PartsAfter vtkIdType 1",
-      "PartsBefore vtkIdType 1", "Passes int 1", "Refused vtkIdType 1", "Removed vtkIdType 1",
-      "Threshold double 1", "VolumeRemoved double 1" }));
+    (std::vector<std::string>{ "Betti idtype 3", "ByHand unsigned char 1", "Candidates idtype 1",
+      "Iteration idtype 1", "Measure int 1", "PartsAfter idtype 1", "PartsBefore idtype 1",
+      "Passes int 1", "Refused idtype 1", "Removed idtype 1", "Threshold double 1",
+      "VolumeRemoved double 1" }));
 }
 
 TEST(MedialPrune, HasTheArraysOfItsHeaderOnWhatItRemoved)
 {
   vtkPolyData* cells = removed(boxPipeline().prune);
   EXPECT_EQ(arrays(cells->GetCellData()),
-    (std::vector<std::string>{ "Iteration vtkIdType 1", "PartId vtkIdType 1", "PartLevel int 1",
-      "PolygonId vtkIdType 1", "RelativeVolume double 1", "SiteSamples vtkIdType 2",
-      "TriangleCount vtkIdType 1" }));
+    (std::vector<std::string>{ "Iteration idtype 1", "PartId idtype 1", "PartLevel int 1",
+      "PolygonId idtype 1", "RelativeVolume double 1", "SiteSamples idtype 2",
+      "TriangleCount idtype 1" }));
   EXPECT_GT(cells->GetNumberOfCells(), 0);
 }
 

@@ -12,6 +12,7 @@
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <array>
 
 namespace
@@ -59,7 +60,11 @@ TEST_P(PipelineOf, KeepsTheTopologyAndClosesTheSurface)
 INSTANTIATE_TEST_SUITE_P(Shapes, PipelineOf,
   testing::Values(shapes::sphere(0.3), shapes::torus(0.25), shapes::hollowSphere(),
     shapes::twoObjects(0.2), shapes::box(0.15)),
-  [](const testing::TestParamInfo<shapes::Shape>& info) { return info.param.name; });
+  [](const testing::TestParamInfo<shapes::Shape>& info) {
+    std::string name = info.param.name;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+  });
 
 TEST(Pipeline, GivesTheSameThroughFilesAtEveryStage)
 {

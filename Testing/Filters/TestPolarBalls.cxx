@@ -3,6 +3,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
+#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
@@ -41,12 +42,11 @@ TEST(PolarBalls, HaveTheArraysOfTheirHeader)
     (std::vector<std::string>{ "Radius double 1", "Side unsigned char 1",
       "TouchesGuard unsigned char 1", "Volume double 1" }));
   EXPECT_EQ(arrays(balls->GetFieldData()),
-    (std::vector<std::string>{ "BallSampleOffsets vtkIdType 1", "BallSamples vtkIdType 1",
-      "BettiPowerShape vtkIdType 3", "DuplicateOf vtkIdType 1", "NumberOfDuplicates vtkIdType 1",
-      "NumberOfHiddenBalls vtkIdType 1", "NumberOfInnerBalls vtkIdType 1",
-      "NumberOfOuterBalls vtkIdType 1", "NumberOfSamples vtkIdType 1",
-      "SampleInnerBall vtkIdType 1", "SampleOuterBall vtkIdType 1", "Samples double 3",
-      "SamplingQuality double 1" }));
+    (std::vector<std::string>{ "BallSampleOffsets idtype 1", "BallSamples idtype 1",
+      "BettiPowerShape idtype 3", "DuplicateOf idtype 1", "NumberOfDuplicates idtype 1",
+      "NumberOfHiddenBalls idtype 1", "NumberOfInnerBalls idtype 1", "NumberOfOuterBalls idtype 1",
+      "NumberOfSamples idtype 1", "SampleInnerBall idtype 1", "SampleOuterBall idtype 1",
+      "SampleSpacing double 1", "Samples double 3", "SamplingQuality double 1" }));
 }
 
 TEST(PolarBalls, AreDoubles)

@@ -40,14 +40,13 @@ double field(vtkDataObject* data, const char* name, int component = 0)
 TEST(PowerCrust, HasTheArraysOfItsHeader)
 {
   vtkPolyData* crust = boxPipeline().crust->GetOutput();
-  EXPECT_EQ(arrays(crust->GetPointData()), (std::vector<std::string>{ "SampleId vtkIdType 1" }));
+  EXPECT_EQ(arrays(crust->GetPointData()), (std::vector<std::string>{ "SampleId idtype 1" }));
   EXPECT_EQ(arrays(crust->GetCellData()),
-    (std::vector<std::string>{
-      "InnerBall vtkIdType 1", "OuterBall vtkIdType 1", "PartId vtkIdType 1" }));
+    (std::vector<std::string>{ "InnerBall idtype 1", "OuterBall idtype 1", "PartId idtype 1" }));
   std::vector<std::string> expected = arrays(boxPipeline().balls->GetOutput()->GetFieldData());
-  for (const char* array : { "BettiCrust vtkIdType 3", "Closed unsigned char 1",
-         "InsertedBalls vtkIdType 1", "Manifold unsigned char 1", "MaximumClearance double 1",
-         "Rounds vtkIdType 1", "Volume double 1" })
+  for (const char* array : { "BettiCrust idtype 3", "Closed unsigned char 1",
+         "InsertedBalls idtype 1", "Manifold unsigned char 1", "MaximumClearance double 1",
+         "Rounds idtype 1", "Volume double 1" })
   {
     expected.emplace_back(array);
   }

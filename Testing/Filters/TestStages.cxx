@@ -32,7 +32,6 @@ using filterTest::failed;
 using filterTest::isEmpty;
 using filterTest::onlyError;
 using filterTest::same;
-using testing::HasSubstr;
 
 /// A filter and which of its inputs to play with.
 struct Stage
@@ -110,6 +109,7 @@ const std::vector<Needed>& needed(const Stage& stage)
     { vtkDataObject::FIELD, "SampleInnerBall", Huge },
     { vtkDataObject::FIELD, "SampleOuterBall", Huge },
     { vtkDataObject::FIELD, "SamplingQuality", 0 },
+    { vtkDataObject::FIELD, "SampleSpacing", 0 },
     { vtkDataObject::FIELD, "BallSampleOffsets", Huge },
     { vtkDataObject::FIELD, "BallSamples", Huge },
   };

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What Conversion writes it reads back. (Compiled in: the library doesn't export it.)
+#include "../../Filters/Conversion.h"
+
+#include "FilterTest.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+
+namespace
+{
+using filterTest::smallBox;
+
+/// The core's values for the small box.
+struct Values
+{
+  medial::PolarBalls balls = medial::polarBalls(smallBox().samples);
+  medial::MedialAxis axis = medial::medialAxis(this->balls);
+  medial::MedialParts parts = medial::decompose(this->axis);
+};
+
+const Values& values()
+{
+  static const Values result;
+  return result;
+}
+
+/// The balls of the small box as a data set.
+vtkSmartPointer<vtkUnstructuredGrid> ballGrid()
+{
+  auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  medial::write(
+    values().balls, { 1, 0, 0 }, filterTest::cloud(smallBox().samples), result.GetPointer());
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> axisData()
+{
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  medial::write(values().axis, ballGrid(), result.GetPointer());
+  return result;
+}
+
+bool sameBall(const medial::Ball& a, const medial::Ball& b)
+{
+  return a.center == b.center && a.radius == b.radius;
+}
+
+TEST(Conversion, ReadsSamplesInTheirOrder)
+{
+  EXPECT_EQ(medial::readSamples(filterTest::cloud(smallBox().samples)), smallBox().samples);
+}
+
+TEST(Conversion, ReadsThePolarBallsThatItWrote)
+{
+  const medial::PolarBalls& written = values().balls;
+  const medial::PolarBalls read = medial::readPolarBalls(ballGrid());
+  EXPECT_EQ(read.samples, written.samples);
+  EXPECT_EQ(read.duplicateOf, written.duplicateOf);
+  EXPECT_EQ(read.innerBall, written.innerBall);
+  EXPECT_EQ(read.outerBall, written.outerBall);
+  EXPECT_EQ(read.samplingQuality, written.samplingQuality);
+  EXPECT_TRUE(std::equal(
+    read.balls.begin(), read.balls.end(), written.balls.begin(), written.balls.end(), sameBall));
+  EXPECT_EQ(read.sides, written.sides);
+  EXPECT_EQ(read.touchesGuard, written.touchesGuard);
+  EXPECT_EQ(read.volumes, written.volumes);
+  EXPECT_EQ(read.ballSamples.offsets, written.ballSamples.offsets);
+  EXPECT_EQ(read.ballSamples.items, written.ballSamples.items);
+  EXPECT_EQ(read.spacing, written.spacing);
+  EXPECT_EQ(read.cells, written.cells);
+}
+
+TEST(Conversion, ReadsTheMedialAxisThatItWrote)
+{
+  const medial::MedialAxis& written = values().axis;
+  const medial::MedialAxis read = medial::readMedialAxis(axisData());
+  EXPECT_EQ(read.points, written.points);
+  EXPECT_EQ(read.radii, written.radii);
+  EXPECT_EQ(read.ballOfPoint, written.ballOfPoint);
+  EXPECT_EQ(read.cells.vertices, written.cells.vertices);
+  EXPECT_EQ(read.cells.edges, written.cells.edges);
+  EXPECT_EQ(read.cells.triangles, written.cells.triangles);
+  EXPECT_EQ(read.polygonOfCell, written.polygonOfCell);
+  EXPECT_EQ(read.samplesOfCell, written.samplesOfCell);
+  EXPECT_EQ(read.ballOwner, written.ballOwner);
+  EXPECT_EQ(read.ballVolumes, written.ballVolumes);
+  EXPECT_EQ(read.powerShapeBetti, written.powerShapeBetti);
+  EXPECT_EQ(read.betti, written.betti);
+  EXPECT_EQ(read.certificate, written.certificate);
+  EXPECT_EQ(read.fallback, written.fallback);
+  EXPECT_EQ(read.kappa, written.kappa);
+}
+
+TEST(Conversion, ReadsVerticesEdgesAndTriangles)
+{
+  medial::MedialAxis axis = values().axis;
+  axis.cells = { { 0, 5 }, { { 1, 2 } }, { { 2, 3, 4 }, { 2, 4, 6 } } };
+  axis.polygonOfCell = { medial::None, medial::None, medial::None, 0, 0 };
+  axis.samplesOfCell.assign(5, { medial::None, 7 });
+  vtkNew<vtkPolyData> data;
+  medial::write(axis, ballGrid(), data);
+  EXPECT_EQ(data->GetCellType(0), VTK_VERTEX);
+  EXPECT_EQ(data->GetCellType(2), VTK_LINE);
+  EXPECT_EQ(data->GetCellType(4), VTK_TRIANGLE);
+  const medial::MedialAxis read = medial::readMedialAxis(data);
+  EXPECT_EQ(read.cells.vertices, axis.cells.vertices);
+  EXPECT_EQ(read.cells.edges, axis.cells.edges);
+  EXPECT_EQ(read.cells.triangles, axis.cells.triangles);
+  EXPECT_EQ(read.polygonOfCell, axis.polygonOfCell);
+}
+
+TEST(Conversion, ReadsThePartsThatItWrote)
+{
+  vtkNew<vtkPolyData> parts, contacts;
+  vtkNew<vtkTable> table;
+  EXPECT_TRUE(medial::readParts(axisData()).empty());
+  medial::write(values().parts, axisData(), parts, table, contacts);
+  EXPECT_EQ(medial::readParts(parts), values().parts.partOfCell);
+}
+
+TEST(Conversion, FindsTheCellsOfParts)
+{
+  vtkNew<vtkPolyData> parts, contacts;
+  vtkNew<vtkTable> table;
+  medial::write(values().parts, axisData(), parts, table, contacts);
+  const std::vector<medial::Index> cells = medial::readCells(parts, { 1 }, { 0 });
+  ASSERT_FALSE(cells.empty());
+  EXPECT_EQ(cells.front(), 0);
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(cells.size()) - 1,
+    std::count(values().parts.partOfCell.begin(), values().parts.partOfCell.end(), 1));
+}
+
+TEST(Conversion, WritesAContactOfOnePointAsAVertex)
+{
+  medial::MedialParts made = values().parts;
+  made.contacts = { { { 3, 4, 5 }, { 0, 1 } }, { { 7 }, { 0, 1, 2 } } };
+  vtkNew<vtkPolyData> parts, contacts;
+  vtkNew<vtkTable> table;
+  medial::write(made, axisData(), parts, table, contacts);
+  ASSERT_EQ(contacts->GetNumberOfCells(), 2);
+  EXPECT_EQ(contacts->GetCellType(0), VTK_VERTEX);
+  EXPECT_EQ(contacts->GetCellType(1), VTK_POLY_LINE);
+  vtkDataArray* ids = contacts->GetCellData()->GetArray("ContactId");
+  EXPECT_EQ(ids->GetComponent(0, 0), 1);
+  EXPECT_EQ(ids->GetComponent(1, 0), 0);
+}
+}
