@@ -2,7 +2,7 @@
 #include "DualComplex.h"
 
 #include "DisjointSets.h"
-#include "PoleMerging.h"
+#include "VertexMerging.h"
 #include "Polygons.h"
 
 #include <algorithm>
@@ -207,7 +207,7 @@ void appendEdgesWithoutFace(const SiteTriangulation& sites, const OpenSet& set, 
 /// Adds the vertices as points of the axis, but for merged ones, and the midpoints; renumbers the
 /// corners of the polygons.
 void addPoints(const PolarBalls& polarBalls, const SiteTriangulation& sites, const Frame& frame,
-  const Vertices& vertices, const MergedPoles& merging, std::vector<Polygon>& polygons,
+  const Vertices& vertices, const MergedVertices& merging, std::vector<Polygon>& polygons,
   MedialAxis& axis)
 {
   std::vector<Ball> spheres;
@@ -333,7 +333,14 @@ MedialAxis dualComplex(const PolarBalls& polarBalls, const SingularPoints& singu
   const Vertices vertices = mergedVertices(sites, set);
   std::vector<Polygon> polygons = facePolygons(sites, faces, vertices);
   appendEdgesWithoutFace(sites, set, faces, vertices, polygons);
-  const MergedPoles merging = mergePoles(vertices.ball, polygons);
+  std::vector<Point> places;
+  for (Index v = 0; v < count(vertices.firstCell); ++v)
+  {
+    const Index ball = vertices.ball[v];
+    places.push_back(ball != None ? frame.toLocal(polarBalls.balls[ball].center)
+                                  : sites.spheres[vertices.firstCell[v]].center);
+  }
+  const MergedVertices merging = mergeVertices(places, vertices.ball, polygons);
 
   MedialAxis axis{};
   addPoints(polarBalls, sites, frame, vertices, merging, polygons, axis);

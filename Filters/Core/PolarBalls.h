@@ -31,7 +31,7 @@ struct PolarBalls
   std::vector<double> volumes;    ///< of the Delaunay cells it stands for; 0 where not inner
   IndexLists ballSamples;         ///< all samples on its sphere, ascending
 
-  double spacing; ///< mean distance of a distinct sample to the nearest other one
+  double spacing = 0; ///< mean distance of a distinct sample to the nearest other one
 
   /// Cells of the regular triangulation of the balls (weights: squared radii), positively oriented.
   std::vector<Tetrahedron> cells;

@@ -27,6 +27,10 @@ void requireValid(
       ", there are " + std::to_string(polarBalls.balls.size()) +
       "; give the balls that the axis was made of");
   }
+  if (!(polarBalls.spacing > 0))
+  {
+    throw InvalidInput("the balls have no sample spacing; give the output of Polar Balls");
+  }
   if (!(options.clearance > 0) || options.maximumRounds < 0)
   {
     throw InvalidInput("the clearance must be larger than 0 sample spacings, and the number of "
@@ -189,7 +193,6 @@ struct Refinement
 {
   int rounds = 0;
   Index inserted = 0;
-  double largest = 0; ///< clearance that is left
 };
 
 Refinement refine(PowerDiagram& diagram, RegularTriangulation& triangulation, double limit,
@@ -200,8 +203,6 @@ Refinement refine(PowerDiagram& diagram, RegularTriangulation& triangulation, do
   {
     const std::vector<double> distances = clearances(diagram, limit, execution);
     const std::vector<Ball> balls = fillingBalls(diagram, distances, limit);
-    result.largest =
-      distances.empty() ? 0 : *std::max_element(distances.begin(), distances.end());
     if (balls.empty() || result.rounds == maximumRounds)
     {
       return result;
@@ -217,6 +218,37 @@ Refinement refine(PowerDiagram& diagram, RegularTriangulation& triangulation, do
     ++result.rounds;
     result.inserted += count(balls);
   }
+}
+
+/// Largest clearance of the points that are no samples. The ball behind a face bounds it, so the
+/// others need to be asked only where that bound is the largest left.
+double largestClearance(const PowerDiagram& diagram, const Crust& crust, const Execution& execution)
+{
+  std::vector<double> bound(crust.points.size(), 0);
+  for (Index face = 0; face < crust.faces.size(); ++face)
+  {
+    const Ball& ball = diagram.balls[crust.innerBall[face]];
+    for (const Index p : crust.faces[face])
+    {
+      const double distance = (crust.points[p] - ball.center).norm() - ball.radius;
+      const bool first = bound[p] == 0 || distance < bound[p];
+      bound[p] = crust.sampleOfPoint[p] != None ? 0 : first ? distance : bound[p];
+    }
+  }
+  std::vector<Index> order(crust.points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return bound[a] > bound[b]; });
+  double largest = 0;
+  for (const Index p : order)
+  {
+    execution.report(0.9);
+    if (bound[p] <= largest)
+    {
+      break;
+    }
+    largest = std::max(largest, clearance(diagram, crust.points[p]));
+  }
+  return largest;
 }
 
 /// Are all edges between two triangles, in opposite directions; do the triangles at each point form
@@ -327,8 +359,6 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   if (chosen.ids.size() == visible)
   {
     findVertices(renumbered(polarBalls, chosen.ids), diagram, execution);
-    const std::vector<double> left = clearances(diagram, options.clearance * spacing, execution);
-    refinement.largest = left.empty() ? 0 : *std::max_element(left.begin(), left.end());
   }
   else
   {
@@ -345,7 +375,7 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   measureSolid(crust);
   crust.insertedBalls = refinement.inserted;
   crust.rounds = refinement.rounds;
-  crust.maximumClearance = refinement.largest / spacing;
+  crust.maximumClearance = largestClearance(diagram, crust, execution) / spacing;
   crust.volume /= frame.scale * frame.scale * frame.scale;
   for (std::size_t p = 0; p < crust.points.size(); ++p)
   {

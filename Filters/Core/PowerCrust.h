@@ -14,7 +14,8 @@ namespace medial
 enum class CrustRule
 {
   Clearance = 0,    ///< outer balls are added until no free vertex of the crust is farther from the
-                    ///< union of the kept balls than the clearance
+                    ///< union of the kept balls than the clearance; where no ball was removed nothing
+                    ///< is added
   InnerOnly = 1,    ///< nothing (paper 5)
   InnerAndOuter = 2 ///< the outer balls of their samples go as well (paper 5, sharp corners)
 };
@@ -46,7 +47,7 @@ struct Crust
   Index insertedBalls;   ///< by CrustRule::Clearance
   int rounds;            ///< of insertion made
   double maximumClearance; ///< largest distance of a point that is no sample to the union of the
-                           ///< kept balls, in sample spacings
+                           ///< kept balls, in sample spacings; 0 where none is outside
 };
 
 /// The power crust of the inner balls with keep[ball] != 0 and the outer balls.

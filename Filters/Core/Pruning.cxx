@@ -2,14 +2,12 @@
 #include "Pruning.h"
 
 #include "AxisEdges.h"
-#include "DisjointSets.h"
 #include "PartCollapse.h"
 #include "Partition.h"
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
 #include <numeric>
-#include <queue>
 
 namespace medial
 {
@@ -37,51 +35,13 @@ void requireValid(const MedialAxis& axis, const PruneOptions& options)
   }
 }
 
-/// The parts as one pass finds them, with what decides about them. Parts grow together when what
-/// parted them is removed; a part then stands for all that grew into it.
+/// The parts as one pass finds them, with what decides about them.
 struct Round
 {
   Partition partition;
-  DisjointSets grown{ 0 };
-  std::vector<std::vector<Index>> cells;
   std::vector<double> significance;
   std::vector<char> gone;
-  std::vector<std::vector<Index>> neighbors; ///< parts that share a point, before they grew
-
-  Index size() const { return count(this->cells); }
-  bool isAtBorder(Index part) const { return this->partition.level[part] == 1; }
-
-  Index merge(Index a, Index b)
-  {
-    const Index into = std::min(a, b), from = std::max(a, b);
-    const auto append = [](std::vector<Index>& to, const std::vector<Index>& list) {
-      to.insert(to.end(), list.begin(), list.end());
-    };
-    this->grown.unite(a, b);
-    append(this->cells[into], this->cells[from]);
-    append(this->neighbors[into], this->neighbors[from]);
-    this->significance[into] += this->significance[from];
-    int& level = this->partition.level[into];
-    level = this->isAtBorder(from) ? 1 : level;
-    return into;
-  }
-
-  /// The living parts that touch one, each once, ascending.
-  std::vector<Index> around(Index part)
-  {
-    std::vector<Index> result;
-    for (const Index neighbor : this->neighbors[part])
-    {
-      const Index now = this->grown.find(neighbor);
-      if (now != part && !this->gone[now])
-      {
-        result.push_back(now);
-      }
-    }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
+  IndexLists neighbors; ///< parts that share a point
 };
 
 class Pruner
@@ -94,6 +54,7 @@ public:
     , edges(axisEdges(input.cells))
     , living(input.cells, this->edges)
     , totalVolume(std::accumulate(input.ballVolumes.begin(), input.ballVolumes.end(), 0.0))
+    , inherited(input.cells.size(), 0)
   {
     this->result.removedInIteration.assign(input.cells.size(), None);
     this->result.removedPart.assign(input.cells.size(), None);
@@ -121,7 +82,7 @@ public:
 private:
   void iterate(const PruneIteration& iteration)
   {
-    this->inherited.assign(this->axis.cells.size(), 0);
+    std::fill(this->inherited.begin(), this->inherited.end(), 0);
     Round round = this->newRound(iteration.measure);
     PruneRow row = this->newRow(round);
     row.measure = iteration.measure;
@@ -144,34 +105,35 @@ private:
     this->finish(row, round);
   }
 
-  /// One walk over the parts of level 1 with at most the threshold and at most this dimension, least
-  /// significant first. @return  was anything removed?
-  bool pass(Round& round, const PruneIteration& iteration, int dimension, PruneRow& row)
+  /// Parts of level 1 with at most the threshold and at most this dimension, least significant first.
+  std::vector<Index> candidates(
+    const Round& round, const PruneIteration& iteration, int dimension) const
   {
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    const auto offer = [&](Index part) {
-      if (round.isAtBorder(part) && round.partition.dimension[part] <= dimension &&
+    std::vector<Index> result;
+    for (Index part = 0; part < count(round.significance); ++part)
+    {
+      if (round.partition.level[part] == 1 && round.partition.dimension[part] <= dimension &&
         round.significance[part] <= iteration.threshold)
       {
-        queue.push({ round.significance[part], part });
+        result.push_back(part);
       }
-    };
-    for (Index part = 0; part < round.size(); ++part)
-    {
-      offer(part);
     }
-    const Index candidates = static_cast<Index>(queue.size());
-    const Index removedBefore = row.removed;
-    row.refused = 0;
-    while (!queue.empty())
+    std::stable_sort(result.begin(), result.end(),
+      [&](Index a, Index b) { return round.significance[a] < round.significance[b]; });
+    return result;
+  }
+
+  /// One walk over the candidates. @return  was anything removed?
+  bool pass(Round& round, const PruneIteration& iteration, int dimension, PruneRow& row)
+  {
+    const std::vector<Index> parts = this->candidates(round, iteration, dimension);
+    bool changed = false;
+    Index refused = 0;
+    for (const Index part : parts)
     {
-      const auto [significance, part] = queue.top();
-      queue.pop();
-      if (round.gone[part] || round.grown.find(part) != part ||
-        round.significance[part] != significance)
+      if (round.gone[part])
       {
-        continue; // gone with a branch, grown into another one, or it has inherited
+        continue; // with a branch
       }
       std::vector<Index> unit{ part };
       if (!this->mayGo(round, unit))
@@ -181,16 +143,18 @@ private:
       }
       if (unit.empty() || (unit.size() > 1 && !this->mayGo(round, unit)))
       {
-        ++row.refused;
+        ++refused;
         continue;
       }
-      for (const Index changed : this->remove(round, unit, row))
-      {
-        offer(changed);
-      }
+      this->remove(round, unit, row);
+      changed = true;
     }
-    row.candidates = row.passes == 0 ? std::max(row.candidates, candidates) : row.candidates;
-    return row.removed > removedBefore;
+    if (row.passes == 0)
+    {
+      row.candidates = std::max(row.candidates, count(parts));
+    }
+    row.refused = refused;
+    return changed;
   }
 
   std::vector<Index> cellsOf(const Round& round, const std::vector<Index>& parts) const
@@ -198,7 +162,7 @@ private:
     std::vector<Index> cells;
     for (const Index part : parts)
     {
-      const std::vector<Index>& own = round.cells[part];
+      const IndexLists::View own = round.partition.cells[part];
       cells.insert(cells.end(), own.begin(), own.end());
     }
     return cells;
@@ -214,8 +178,7 @@ private:
     return this->living.effectOfRemoving(cells) == Effect::None;
   }
 
-  /// Removes parts. @return  the parts whose significance changed
-  std::vector<Index> remove(Round& round, const std::vector<Index>& parts, PruneRow& row)
+  void remove(Round& round, const std::vector<Index>& parts, PruneRow& row)
   {
     const std::vector<Index> cells = this->cellsOf(round, parts);
     this->living.remove(cells);
@@ -229,24 +192,22 @@ private:
       round.gone[part] = 1;
     }
     row.removed += count(parts);
-    std::vector<Index> changed{ this->bequeath(round, parts) };
-    this->growTogether(round, cells, changed);
-    changed.erase(std::remove(changed.begin(), changed.end(), None), changed.end());
-    return changed;
+    this->bequeath(round, parts);
   }
 
-  /// The most significant part that removed ones were attached to takes over their significance for
-  /// the rest of the iteration: what goes at one place, one after the other, counts together.
-  Index bequeath(Round& round, const std::vector<Index>& parts)
+  /// The most significant part that removed ones were attached to takes over their significance in
+  /// the passes that follow: what goes at one place in one iteration counts together.
+  void bequeath(const Round& round, const std::vector<Index>& parts)
   {
     double sum = 0;
     Index heir = None;
     for (const Index part : parts)
     {
       sum += round.significance[part];
-      for (const Index neighbor : round.around(part))
+      for (const Index neighbor : round.neighbors[part])
       {
-        if (heir == None || round.significance[neighbor] > round.significance[heir])
+        if (!round.gone[neighbor] &&
+          (heir == None || round.significance[neighbor] > round.significance[heir]))
         {
           heir = neighbor;
         }
@@ -254,46 +215,13 @@ private:
     }
     if (heir != None)
     {
-      round.significance[heir] += sum;
-      this->inherited[round.cells[heir][0]] += sum;
+      this->inherited[round.partition.cells[heir][0]] += sum;
     }
-    return heir;
-  }
-
-  /// Where an edge of removed triangles has two triangles left, their parts are one from now on.
-  void growTogether(
-    Round& round, const std::vector<Index>& removed, std::vector<Index>& changed) const
-  {
-    const Index first = this->axis.cells.firstTriangle();
-    for (const Index cell : removed)
-    {
-      for (int k = 0; k < 3 && cell >= first; ++k)
-      {
-        std::vector<Index> left;
-        for (const Index t : this->edges.triangles[this->edges.ofTriangle[cell - first][k]])
-        {
-          if (this->living.isLiving(first + t))
-          {
-            left.push_back(round.grown.find(round.partition.partOfCell[first + t]));
-          }
-        }
-        if (left.size() == 2 && left[0] != left[1])
-        {
-          changed.push_back(round.merge(left[0], left[1]));
-        }
-      }
-    }
-    for (Index& part : changed)
-    {
-      part = part == None ? None : round.grown.find(part);
-    }
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   }
 
   /// The part and the smaller pieces that only it connects with the rest, if their significance sums
   /// to at most the threshold; else empty.
-  std::vector<Index> branch(Round& round, Index part, double threshold) const
+  std::vector<Index> branch(const Round& round, Index part, double threshold) const
   {
     std::vector<Index> unit{ part };
     double sum = round.significance[part];
@@ -302,9 +230,9 @@ private:
     const auto wasVisited = [&visited](Index p) {
       return std::find(visited.begin(), visited.end(), p) != visited.end();
     };
-    for (const Index start : round.around(part))
+    for (const Index start : round.neighbors[part])
     {
-      if (wasVisited(start))
+      if (round.gone[start] || wasVisited(start))
       {
         continue;
       }
@@ -317,10 +245,10 @@ private:
       {
         pieceSum += round.significance[piece[i]];
         large = sum + pieceSum > threshold || piece.size() > branchLimit;
-        for (const Index next : round.around(piece[i]))
+        for (const Index next : round.neighbors[piece[i]])
         {
           const auto known = std::find(visited.begin(), visited.end(), next);
-          if (known == visited.end())
+          if (known == visited.end() && !round.gone[next])
           {
             visited.push_back(next);
             piece.push_back(next);
@@ -346,14 +274,8 @@ private:
     Round round;
     round.partition = partition(this->axis.cells, this->edges, this->living.mask());
     const Index parts = count(round.partition.dimension);
-    round.grown = DisjointSets(parts);
     round.gone.assign(parts, 0);
     round.significance.assign(parts, 0);
-    for (Index part = 0; part < parts; ++part)
-    {
-      const IndexLists::View own = round.partition.cells[part];
-      round.cells.emplace_back(own.begin(), own.end());
-    }
     if (measure == Measure::TriangleCount)
     {
       for (Index part = 0; part < parts; ++part)
@@ -383,7 +305,7 @@ private:
     return round;
   }
 
-  std::vector<std::vector<Index>> touchingParts(const Partition& partition) const
+  IndexLists touchingParts(const Partition& partition) const
   {
     std::vector<std::vector<Index>> partsAt(this->axis.points.size());
     const AxisCells& cells = this->axis.cells;
@@ -423,17 +345,21 @@ private:
         }
       }
     }
+    IndexLists result;
     for (std::vector<Index>& list : touching)
     {
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
+      result.items.insert(result.items.end(), list.begin(), list.end());
+      result.close();
     }
-    return touching;
+    return result;
   }
 
   /// The named parts that may go, each when it may; those that are left, together.
   void removeByHand()
   {
+    std::fill(this->inherited.begin(), this->inherited.end(), 0);
     Round round = this->newRound(Measure::TriangleCount);
     PruneRow row = this->newRow(round);
     row.byHand = true;
@@ -546,7 +472,7 @@ private:
     for (Index part = 0; part < count(round.significance); ++part)
     {
       KeepReason reason = KeepReason::Topology;
-      if (round.neighbors[part].empty())
+      if (round.neighbors[part].size() == 0)
       {
         reason = KeepReason::Isolated;
       }

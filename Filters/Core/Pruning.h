@@ -26,6 +26,10 @@ enum class Topology
 };
 
 /// One round of decompose - measure - prune.
+///
+/// Unlike the paper, passes are repeated. So that a long feature isn't eaten up from its end by small
+/// pieces, a part takes over the significance of what was removed from it in earlier passes: what goes
+/// at one place in one iteration has at most the threshold in sum.
 struct PruneIteration
 {
   Measure measure = Measure::TriangleCount;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PoleMerging.h"
+#include "VertexMerging.h"
+
+#include "DisjointSets.h"
+#include "Frame.h"
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <set>
 
@@ -241,6 +245,53 @@ private:
   std::vector<Polygon>& polygons;
   std::vector<std::vector<Index>> at; ///< the polygons at each vertex
 };
+
+/// Groups of two and more vertices with the same pole or the same place. The first of a group has a
+/// pole if any of it has.
+std::vector<std::vector<Index>> sameVertices(
+  const std::vector<Point>& points, const std::vector<Index>& ball)
+{
+  DisjointSets sets(count(points));
+  std::map<Index, Index> vertexOfBall;
+  for (Index v = 0; v < count(points); ++v)
+  {
+    if (ball[v] != None)
+    {
+      sets.unite(vertexOfBall.insert({ ball[v], v }).first->second, v);
+    }
+  }
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return points[a].x() != points[b].x() ? points[a].x() < points[b].x() : a < b;
+  });
+  for (auto i = order.begin(); i != order.end(); ++i)
+  {
+    for (auto j = i + 1; j != order.end() && points[*j].x() - points[*i].x() < coincident; ++j)
+    {
+      if ((points[*i] - points[*j]).norm() < coincident)
+      {
+        sets.unite(*i, *j);
+      }
+    }
+  }
+  std::map<Index, std::vector<Index>> groups;
+  for (Index v = 0; v < count(points); ++v)
+  {
+    groups[sets.find(v)].push_back(v);
+  }
+  std::vector<std::vector<Index>> result;
+  for (auto& [first, group] : groups)
+  {
+    std::stable_partition(
+      group.begin(), group.end(), [&ball](Index v) { return ball[v] != None; });
+    if (group.size() > 1)
+    {
+      result.push_back(group);
+    }
+  }
+  return result;
+}
 }
 
 void appendSimplePolygons(
@@ -267,23 +318,16 @@ void appendSimplePolygons(
   emit(path);
 }
 
-MergedPoles mergePoles(const std::vector<Index>& ball, std::vector<Polygon>& polygons)
+MergedVertices mergeVertices(const std::vector<Point>& points, const std::vector<Index>& ball,
+  std::vector<Polygon>& polygons)
 {
-  std::map<Index, std::vector<Index>> verticesOfBall;
-  for (Index v = 0; v < count(ball); ++v)
+  Merger merger(polygons, count(points));
+  MergedVertices result{ std::vector<char>(points.size(), 0), {} };
+  for (const std::vector<Index>& group : sameVertices(points, ball))
   {
-    if (ball[v] != None)
+    for (std::size_t i = 1; i < group.size(); ++i)
     {
-      verticesOfBall[ball[v]].push_back(v);
-    }
-  }
-  Merger merger(polygons, count(ball));
-  MergedPoles result{ std::vector<char>(ball.size(), 0), {} };
-  for (const auto& [pole, vertices] : verticesOfBall)
-  {
-    for (std::size_t i = 1; i < vertices.size(); ++i)
-    {
-      result.merged[vertices[i]] = merger.merge(vertices[0], vertices[i]);
+      result.merged[group[i]] = merger.merge(group[0], group[i]);
     }
   }
   polygons.erase(std::remove_if(polygons.begin(), polygons.end(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef medial_PoleMerging_h
-#define medial_PoleMerging_h
+#ifndef medial_VertexMerging_h
+#define medial_VertexMerging_h
 
 #include "Types.h"
 
@@ -20,22 +20,24 @@ struct Polygon
 void appendSimplePolygons(
   std::vector<Index> walk, Index siteEdge, std::vector<Polygon>& polygons);
 
-/// What mergePoles did with the vertices.
-struct MergedPoles
+/// What mergeVertices did.
+struct MergedVertices
 {
   std::vector<char> merged;    ///< for each vertex: was it merged into another one?
   std::vector<Edge> midpoints; ///< the ends of the sides in the middle of which a vertex was added;
                                ///< numbered on from the vertices given
 };
 
-/// Merges the vertices that have the same pole into one, without a change of topology.
+/// Merges the vertices that have the same pole, or coincide, into one without a change of topology.
 ///
 /// Merging two vertices makes a loop of each path between them. Exactly one such loop must be closed.
 /// The merge itself closes some: it cuts a common face, or folds together two edges to a common
 /// neighbour. Where it closes none, a new face fills the shortest loop; where it closes several, sides
 /// are split until it closes one. Vertices in different pieces stay apart.
-/// @param ball  for each vertex, or None
-MergedPoles mergePoles(const std::vector<Index>& ball, std::vector<Polygon>& polygons);
+/// @param points  of the vertices, in a frame
+/// @param ball    the pole that each vertex is, or None
+MergedVertices mergeVertices(const std::vector<Point>& points, const std::vector<Index>& ball,
+  std::vector<Polygon>& polygons);
 }
 
 #endif
