@@ -12,8 +12,8 @@ namespace medial
 /// All edges of an axis, those of its triangles and the dangling ones, each once.
 struct AxisEdges
 {
-  std::vector<Edge> points;  ///< ascending corners
-  IndexLists triangles;      ///< for each edge the triangles at it, ascending
+  std::vector<Edge> points;         ///< ascending corners
+  IndexLists triangles;             ///< for each edge the triangles at it, ascending
   std::vector<Triangle> ofTriangle; ///< the edges (0,1), (1,2), (2,0) of each triangle
   std::vector<Index> ofDangling;    ///< the edge that each of AxisCells::edges is
 };

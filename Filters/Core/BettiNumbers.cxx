@@ -126,8 +126,7 @@ Index closedChains(const AxisEdges& edges, Index triangleCount)
   Patches groups = patches(edges, triangleCount);
   const std::vector<std::vector<Index>> rows = conditions(edges, groups);
   killLonePatches(rows, groups.dead);
-  const Index living =
-    static_cast<Index>(std::count(groups.dead.begin(), groups.dead.end(), 0));
+  const Index living = static_cast<Index>(std::count(groups.dead.begin(), groups.dead.end(), 0));
   return living - rank(rows, groups.dead);
 }
 }

@@ -197,8 +197,8 @@ void carve(const SiteTriangulation& sites, OpenSet& set, const Execution& execut
       order.push_back(c);
     }
   }
-  std::stable_sort(order.begin(), order.end(),
-    [&](Index a, Index b) { return sites.depth[a] < sites.depth[b]; });
+  std::stable_sort(
+    order.begin(), order.end(), [&](Index a, Index b) { return sites.depth[a] < sites.depth[b]; });
   for (bool changed = true; changed;)
   {
     changed = false;

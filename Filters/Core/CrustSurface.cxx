@@ -55,14 +55,16 @@ std::vector<Index> cellsAround(const Tetrahedra& mesh, Index inner, Index outer,
     cycle.push_back(cell);
     const Tetrahedron& corners = mesh.cells[cell];
     // Of the facets with the edge, leave by the one from which the turn is counter-clockwise.
-    const int i = static_cast<int>(std::find(corners.begin(), corners.end(), inner) - corners.begin());
+    const int i =
+      static_cast<int>(std::find(corners.begin(), corners.end(), inner) - corners.begin());
     const Triangle seen = facet(corners, i); // counter-clockwise seen from the inner ball
-    const int at =
-      static_cast<int>(std::find(seen.begin(), seen.end(), outer) - seen.begin());
+    const int at = static_cast<int>(std::find(seen.begin(), seen.end(), outer) - seen.begin());
     const Index leave = seen[(at + 2) % 3];
-    const int k = static_cast<int>(std::find(corners.begin(), corners.end(), leave) - corners.begin());
+    const int k =
+      static_cast<int>(std::find(corners.begin(), corners.end(), leave) - corners.begin());
     cell = mesh.neighbors[cell][k];
-  } while (cell != start && cell != None);
+  }
+  while (cell != start && cell != None);
   return cell == None ? std::vector<Index>() : cycle;
 }
 

@@ -16,8 +16,8 @@ struct PowerDiagram
 {
   std::vector<Ball> balls;
   std::vector<char> inner;
-  IndexLists samples;            ///< of each ball
-  std::vector<Point> positions;  ///< of the samples
+  IndexLists samples;           ///< of each ball
+  std::vector<Point> positions; ///< of the samples
   Tetrahedra dual;
 
   // One entry for each cell of the dual whose corners are on both sides (others: None, zero).

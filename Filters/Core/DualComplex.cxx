@@ -2,8 +2,8 @@
 #include "DualComplex.h"
 
 #include "DisjointSets.h"
-#include "VertexMerging.h"
 #include "Polygons.h"
+#include "VertexMerging.h"
 
 #include <algorithm>
 #include <set>
@@ -102,7 +102,8 @@ std::vector<Index> cellsAround(const Tetrahedra& mesh, const Edge& edge, Index s
     cell = mesh.neighbors[cell][leave];
     const Tetrahedron& next = mesh.cells[cell];
     leave = static_cast<int>(std::find(next.begin(), next.end(), pivot) - next.begin());
-  } while (cell != start);
+  }
+  while (cell != start);
   return ring;
 }
 
@@ -221,8 +222,8 @@ void addPoints(const PolarBalls& polarBalls, const SiteTriangulation& sites, con
   for (Index v = 0; v < count(vertices.firstCell); ++v)
   {
     const Index ball = vertices.ball[v];
-    spheres.push_back(ball != None ? polarBalls.balls[ball]
-                                   : frame.toWorld(sites.spheres[vertices.firstCell[v]]));
+    spheres.push_back(
+      ball != None ? polarBalls.balls[ball] : frame.toWorld(sites.spheres[vertices.firstCell[v]]));
     if (merging.merged[v])
     {
       number.push_back(None);
@@ -257,8 +258,8 @@ void addTriangles(const std::vector<Polygon>& polygons, const SiteTriangulation&
     {
       continue;
     }
-    const Edge ends = polygon.siteEdge == None ? Edge{ None, None }
-                                               : sites.edges.edges[polygon.siteEdge];
+    const Edge ends =
+      polygon.siteEdge == None ? Edge{ None, None } : sites.edges.edges[polygon.siteEdge];
     const auto sampleOf = [&](int k) { return ends[k] == None ? None : samples[ends[k]]; };
     double radius = 0;
     for (const Index p : polygon.corners)

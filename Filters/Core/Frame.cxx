@@ -44,8 +44,9 @@ Frame frameOf(const std::vector<Point>& points)
   const double largest = 1e90; // its cube, the unit of volumes, is still a normal double
   if (!(size < largest && size > 1 / largest))
   {
-    throw InvalidInput("the samples' bounding box is larger than 1e90 or smaller than 1e-90, so that "
-                       "volumes would leave the range of doubles; use another unit of length");
+    throw InvalidInput(
+      "the samples' bounding box is larger than 1e90 or smaller than 1e-90, so that "
+      "volumes would leave the range of doubles; use another unit of length");
   }
   int exponent = 0;
   std::frexp(size, &exponent);

@@ -27,8 +27,8 @@ Index defect(const Betti& a, const Betti& b)
 }
 
 /// The axis from the singular points whose Betti numbers are the shape's, or come nearest.
-MedialAxis axisFromSites(const PolarBalls& polarBalls, const PowerShape& shape,
-  const Execution& execution)
+MedialAxis axisFromSites(
+  const PolarBalls& polarBalls, const PowerShape& shape, const Execution& execution)
 {
   const Frame frame = frameOf(polarBalls.samples);
   const SingularPoints points = singularPoints(polarBalls, shape, execution.part(0, 0.1));
@@ -60,7 +60,8 @@ MedialAxis axisFromSites(const PolarBalls& polarBalls, const PowerShape& shape,
 }
 
 /// The inner balls that share a sample with each inner ball.
-std::vector<std::vector<Index>> neighbors(const PolarBalls& polarBalls, const std::vector<Index>& of)
+std::vector<std::vector<Index>> neighbors(
+  const PolarBalls& polarBalls, const std::vector<Index>& of)
 {
   std::vector<std::vector<Index>> ballsOfSample(polarBalls.samples.size());
   for (Index b = 0; b < count(polarBalls.balls); ++b)
@@ -143,8 +144,9 @@ MedialAxis medialAxis(
   if (std::find(polarBalls.sides.begin(), polarBalls.sides.end(), Side::Inner) ==
     polarBalls.sides.end())
   {
-    throw InvalidInput("no ball is inside the solid: the samples don't enclose one, or there are too "
-                       "few of them to tell");
+    throw InvalidInput(
+      "no ball is inside the solid: the samples don't enclose one, or there are too "
+      "few of them to tell");
   }
   const PowerShape shape = powerShape(polarBalls, execution.part(0, 0.1));
   MedialAxis axis = axisFromSites(polarBalls, shape, execution.part(0.1, 0.9));

@@ -29,8 +29,8 @@ struct MedialAxis
 {
   // One entry for each medial point.
   std::vector<Point> points;
-  std::vector<double> radii;       ///< of the maximal ball centred there, unit of the samples
-  std::vector<Index> ballOfPoint;  ///< the polar ball centred there, or None
+  std::vector<double> radii;      ///< of the maximal ball centred there, unit of the samples
+  std::vector<Index> ballOfPoint; ///< the polar ball centred there, or None
 
   AxisCells cells;
   // One entry for each cell.
@@ -39,8 +39,8 @@ struct MedialAxis
                                     ///< samples, else None
 
   // One entry for each polar ball.
-  std::vector<Index> ballOwner;    ///< itself if on the axis; for an inner ball off the axis the ball
-                                   ///< on the axis whose fate it shares; None for other balls
+  std::vector<Index> ballOwner; ///< itself if on the axis; for an inner ball off the axis the ball
+                                ///< on the axis whose fate it shares; None for other balls
   std::vector<double> ballVolumes; ///< PolarBalls::volumes
 
   Betti powerShapeBetti;

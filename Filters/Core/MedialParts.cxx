@@ -208,7 +208,8 @@ std::vector<char> keptBalls(const MedialAxis& axis)
   const std::vector<Index> one(axis.cells.size(), 0);
   const std::vector<Index> parts = partOfBall(axis, one);
   std::vector<char> result(parts.size());
-  std::transform(parts.begin(), parts.end(), result.begin(), [](Index part) { return part != None; });
+  std::transform(
+    parts.begin(), parts.end(), result.begin(), [](Index part) { return part != None; });
   return result;
 }
 
@@ -220,8 +221,8 @@ MedialParts decompose(const MedialAxis& axis, int maximumLevel, const Execution&
   MedialParts result;
   result.partOfCell = groups.partOfCell;
   result.parts.resize(groups.dimension.size());
-  execution.forEach(count(result.parts),
-    [&](Index part) { result.parts[part] = measured(axis, groups, part); });
+  execution.forEach(
+    count(result.parts), [&](Index part) { result.parts[part] = measured(axis, groups, part); });
   addVolumes(axis, result);
   result.contacts = contactCurves(edges, contactEdges(axis, edges, groups));
   for (const ContactCurve& curve : result.contacts)

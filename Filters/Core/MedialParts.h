@@ -14,15 +14,15 @@ namespace medial
 /// chain of edges; or a single vertex (paper 4.1).
 struct MedialPart
 {
-  int dimension;    ///< 2: triangles, 1: edges, 0: a vertex
-  int level;        ///< 1 at the border of the axis, +1 inwards; 0: closed sheet, never reached
-  Index triangles;  ///< how many
-  double area;      ///< of its triangles, square of the samples' unit
-  double volume;    ///< of the Delaunay cells whose ball is this part's, cube of the unit
-  double relativeVolume; ///< volume / sum over all parts
+  int dimension;   ///< 2: triangles, 1: edges, 0: a vertex
+  int level;       ///< 1 at the border of the axis, +1 inwards; 0: closed sheet, never reached
+  Index triangles; ///< how many
+  double area;     ///< of its triangles, square of the samples' unit
+  double volume;   ///< of the Delaunay cells whose ball is this part's, cube of the unit
+  double relativeVolume;                           ///< volume / sum over all parts
   double meanRadius, minimumRadius, maximumRadius; ///< over its points
-  Index contacts;   ///< number of contact curves it has a share in
-  Point lower, upper; ///< corners of its bounding box
+  Index contacts;                                  ///< number of contact curves it has a share in
+  Point lower, upper;                              ///< corners of its bounding box
 };
 
 /// An unbroken polyline shared by touching parts (paper 4.3).

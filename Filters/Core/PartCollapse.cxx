@@ -94,8 +94,7 @@ void LivingCells::remove(const std::vector<Index>& cells)
     this->living[c] = 0;
     --this->livingCount;
     forFaces(
-      this->axisCells, this->axisEdges, c,
-      [&](Index e) { this->trianglesAtEdge[e] -= isTriangle; },
+      this->axisCells, this->axisEdges, c, [&](Index e) { this->trianglesAtEdge[e] -= isTriangle; },
       [&](Index p) { --this->cellsAtPoint[p]; });
   }
 }

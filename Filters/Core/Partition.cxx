@@ -32,8 +32,7 @@ Index pointCount(const AxisCells& cells, const AxisEdges& edges)
   return highest + 1;
 }
 
-Incidence incidence(
-  const AxisCells& cells, const AxisEdges& edges, const std::vector<char>& living)
+Incidence incidence(const AxisCells& cells, const AxisEdges& edges, const std::vector<char>& living)
 {
   Incidence result;
   result.trianglesAtEdge.assign(edges.points.size(), 0);
@@ -100,8 +99,8 @@ DisjointSets joined(const AxisCells& cells, const AxisEdges& edges, const std::v
   return sets;
 }
 
-void numberParts(const AxisCells& cells, const std::vector<char>& living, DisjointSets& sets,
-  Partition& result)
+void numberParts(
+  const AxisCells& cells, const std::vector<char>& living, DisjointSets& sets, Partition& result)
 {
   result.partOfCell.assign(cells.size(), None);
   const auto number = [&](Index begin, Index end, int dimension) {
@@ -134,14 +133,14 @@ void numberParts(const AxisCells& cells, const std::vector<char>& living, Disjoi
   }
 }
 
-bool isAtBorder(const AxisCells& cells, const AxisEdges& edges, const Incidence& incidence,
-  Index cell)
+bool isAtBorder(
+  const AxisCells& cells, const AxisEdges& edges, const Incidence& incidence, Index cell)
 {
   if (cell >= cells.firstTriangle())
   {
     const Triangle& sides = edges.ofTriangle[cell - cells.firstTriangle()];
-    return std::any_of(sides.begin(), sides.end(),
-      [&](Index e) { return incidence.trianglesAtEdge[e] == 1; });
+    return std::any_of(
+      sides.begin(), sides.end(), [&](Index e) { return incidence.trianglesAtEdge[e] == 1; });
   }
   if (cell >= cells.firstEdge())
   {
@@ -223,8 +222,8 @@ void findLevels(const AxisCells& cells, const AxisEdges& edges, const Incidence&
 }
 }
 
-Partition partition(const AxisCells& cells, const AxisEdges& edges, const std::vector<char>& living,
-  int maximumLevel)
+Partition partition(
+  const AxisCells& cells, const AxisEdges& edges, const std::vector<char>& living, int maximumLevel)
 {
   const std::vector<char> all(cells.size(), 1);
   const std::vector<char>& mask = living.empty() ? all : living;

@@ -14,10 +14,10 @@ namespace medial
 struct Partition
 {
   std::vector<Index> partOfCell; ///< None where the cell does not live
-  IndexLists cells;              ///< of each part, ascending; parts of triangles, then of edges, then
-                                 ///< of vertices, each kind by lowest cell
-  std::vector<int> dimension;    ///< of each part: 2, 1, 0
-  std::vector<int> level;        ///< of each part; 0: not reached
+  IndexLists cells;           ///< of each part, ascending; parts of triangles, then of edges, then
+                              ///< of vertices, each kind by lowest cell
+  std::vector<int> dimension; ///< of each part: 2, 1, 0
+  std::vector<int> level;     ///< of each part; 0: not reached
 };
 
 /// @param living        for each cell; empty: all live

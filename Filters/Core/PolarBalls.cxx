@@ -106,8 +106,8 @@ std::array<Point, 8> guards(const std::vector<Point>& points)
   std::array<Point, 8> corners;
   for (int i = 0; i < 8; ++i)
   {
-    corners[i] = 0.5 * (lower + upper) +
-      half * Point(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    corners[i] =
+      0.5 * (lower + upper) + half * Point(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
   }
   return corners;
 }
@@ -161,7 +161,8 @@ Spheres delaunaySpheres(const std::vector<Point>& samples, const Execution& exec
     const std::array<Point, 4> corners{ p[v[0]], p[v[1]], p[v[2]], p[v[3]] };
     result.ballOfCell[c] = circumsphere(corners, constructionError);
     result.cellVolumes[c] =
-      std::abs((corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0])) /
+      std::abs(
+        (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0])) /
       6;
   });
   DisjointSets classes(cellCount);
@@ -169,8 +170,7 @@ Spheres delaunaySpheres(const std::vector<Point>& samples, const Execution& exec
   {
     for (const Index n : result.delaunay.neighbors[c])
     {
-      if (n > c &&
-        (result.ballOfCell[c].center - result.ballOfCell[n].center).norm() < coincident)
+      if (n > c && (result.ballOfCell[c].center - result.ballOfCell[n].center).norm() < coincident)
       {
         classes.unite(c, n);
       }
@@ -303,11 +303,11 @@ void measureVolumes(const Spheres& spheres, const std::vector<Index>& ballOfCell
     double least = std::numeric_limits<double>::infinity();
     for (const Index v : spheres.delaunay.cells[c])
     {
-      for (const Index b : v < spheres.sampleCount ? ballsOfSample[v] : std::array<Index, 2>{ None, None })
+      for (const Index b :
+        v < spheres.sampleCount ? ballsOfSample[v] : std::array<Index, 2>{ None, None })
       {
-        const double power = b == None
-          ? least
-          : (result.balls[b].center - centroid).squaredNorm() -
+        const double power = b == None ? least
+                                       : (result.balls[b].center - centroid).squaredNorm() -
             result.balls[b].radius * result.balls[b].radius;
         if (power < least)
         {
@@ -383,8 +383,7 @@ void describeSamples(const DistinctSamples& distinct,
 /// Mean length of the shortest edge at a sample: its nearest neighbour is a Delaunay neighbour.
 double meanSpacing(const Spheres& spheres)
 {
-  std::vector<double> shortest(
-    spheres.sampleCount, std::numeric_limits<double>::infinity());
+  std::vector<double> shortest(spheres.sampleCount, std::numeric_limits<double>::infinity());
   for (const Tetrahedron& cell : spheres.delaunay.cells)
   {
     for (const auto& [i, j] : cellEdges)
@@ -432,9 +431,9 @@ PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execut
       ballsOfSample[s][k] = poleClasses[s][k] == None ? None : ballOfCell[poleClasses[s][k]];
     }
   }
-  result.sides = labels(
-    { distinct.points, ballsOfSample, result.balls, result.touchesGuard, result.cells },
-    execution.part(0.8, 0.9));
+  result.sides =
+    labels({ distinct.points, ballsOfSample, result.balls, result.touchesGuard, result.cells },
+      execution.part(0.8, 0.9));
   measureVolumes(spheres, ballOfCell, ballsOfSample, result, execution);
   describeSamples(distinct, ballsOfSample, result);
 

@@ -18,11 +18,11 @@ struct PolarBalls
 {
   // One entry for each sample, in the order given.
   std::vector<Point> samples;
-  std::vector<Index> duplicateOf;       ///< first sample at the very same place, or None
-  std::vector<Index> innerBall;         ///< its ball inside the solid, or None
-  std::vector<Index> outerBall;         ///< its ball outside the solid, or None
-  std::vector<double> samplingQuality;  ///< -cos of the angle at which it sees its two poles: 1 is
-                                        ///< best; 0 and less: an edge, or too few samples
+  std::vector<Index> duplicateOf;      ///< first sample at the very same place, or None
+  std::vector<Index> innerBall;        ///< its ball inside the solid, or None
+  std::vector<Index> outerBall;        ///< its ball outside the solid, or None
+  std::vector<double> samplingQuality; ///< -cos of the angle at which it sees its two poles: 1 is
+                                       ///< best; 0 and less: an edge, or too few samples
 
   // One entry for each ball.
   std::vector<Ball> balls;

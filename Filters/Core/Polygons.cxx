@@ -26,8 +26,7 @@ bool diagonalsAreNew(const std::vector<Index>& polygon, Index apex, const EdgeSe
   return true;
 }
 
-double leastArea(
-  const std::vector<Index>& polygon, Index apex, const std::vector<Point>& points)
+double leastArea(const std::vector<Index>& polygon, Index apex, const std::vector<Point>& points)
 {
   const Index n = count(polygon);
   double least = std::numeric_limits<double>::infinity();

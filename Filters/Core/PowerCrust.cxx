@@ -4,6 +4,7 @@
 #include "CrustSurface.h"
 #include "DisjointSets.h"
 #include "Frame.h"
+#include "PowerShape.h"
 #include "Triangulations.h"
 
 #include <Eigen/Geometry>
@@ -46,8 +47,7 @@ struct ChosenBalls
 };
 
 /// The outer balls of the samples of removed inner balls (CrustRule::InnerAndOuter).
-std::vector<char> outerBallsOfRemoved(
-  const PolarBalls& polarBalls, const std::vector<char>& keep)
+std::vector<char> outerBallsOfRemoved(const PolarBalls& polarBalls, const std::vector<char>& keep)
 {
   std::vector<char> result(polarBalls.balls.size(), 0);
   for (std::size_t s = 0; s < polarBalls.samples.size(); ++s)
@@ -89,8 +89,9 @@ ChosenBalls chosenBalls(const PolarBalls& polarBalls, const std::vector<char>& k
   }
   if (std::find(diagram.inner.begin(), diagram.inner.end(), 1) == diagram.inner.end())
   {
-    throw InvalidInput("no inner ball is left, so there is no surface: prune less, and give the axis "
-                       "that was made of these balls");
+    throw InvalidInput(
+      "no inner ball is left, so there is no surface: prune less, and give the axis "
+      "that was made of these balls");
   }
   for (const Point& sample : polarBalls.samples)
   {
@@ -172,15 +173,14 @@ std::vector<Ball> fillingBalls(
       order.push_back(c);
     }
   }
-  std::stable_sort(order.begin(), order.end(),
-    [&](Index a, Index b) { return clearances[a] > clearances[b]; });
+  std::stable_sort(
+    order.begin(), order.end(), [&](Index a, Index b) { return clearances[a] > clearances[b]; });
   std::vector<Ball> result;
   for (const Index c : order)
   {
     const Point& center = diagram.vertices[c];
-    if (std::none_of(result.begin(), result.end(), [&](const Ball& ball) {
-          return (center - ball.center).norm() < ball.radius;
-        }))
+    if (std::none_of(result.begin(), result.end(),
+          [&](const Ball& ball) { return (center - ball.center).norm() < ball.radius; }))
     {
       result.push_back({ center, clearances[c] });
     }
@@ -188,37 +188,83 @@ std::vector<Ball> fillingBalls(
   return result;
 }
 
-/// What refining the diagram came to.
-struct Refinement
+/// Fills the space between the crust and the clearance from the inner balls with outer balls, as long
+/// as the topology stays (rule G).
+class Refiner
 {
+public:
+  Refiner(PowerDiagram& power, RegularTriangulation& cells, double clearance, const Execution& how)
+    : diagram(power)
+    , triangulation(cells)
+    , limit(clearance)
+    , execution(how)
+    , betti(markedBetti(power.dual, power.inner))
+  {
+  }
+
+  void run(int maximumRounds)
+  {
+    for (bool changed = true; changed && this->rounds < maximumRounds;)
+    {
+      const std::vector<double> distances = clearances(this->diagram, this->limit, this->execution);
+      const std::vector<Ball> balls = fillingBalls(this->diagram, distances, this->limit);
+      this->refused = 0;
+      const Index before = this->inserted;
+      this->insert(balls);
+      changed = this->inserted > before;
+      if (changed)
+      {
+        findVertices(this->triangulation.tetrahedra(), this->diagram, this->execution);
+        ++this->rounds;
+      }
+    }
+  }
+
   int rounds = 0;
   Index inserted = 0;
-};
+  Index refused = 0;
 
-Refinement refine(PowerDiagram& diagram, RegularTriangulation& triangulation, double limit,
-  int maximumRounds, const Execution& execution)
-{
-  Refinement result;
-  while (true)
+private:
+  /// Inserts all the balls; where that changes the topology, as many as it can by halves.
+  void insert(const std::vector<Ball>& balls)
   {
-    const std::vector<double> distances = clearances(diagram, limit, execution);
-    const std::vector<Ball> balls = fillingBalls(diagram, distances, limit);
-    if (balls.empty() || result.rounds == maximumRounds)
+    if (balls.empty())
     {
-      return result;
+      return;
     }
-    for (const Ball& ball : balls)
+    RegularTriangulation trial = this->triangulation.copy();
+    trial.insert(balls, this->execution);
+    std::vector<char> inner = this->diagram.inner;
+    inner.resize(inner.size() + balls.size(), 0);
+    if (markedBetti(trial.tetrahedra(), inner) == this->betti)
     {
-      diagram.balls.push_back(ball);
-      diagram.inner.push_back(0);
-      diagram.samples.close();
+      this->triangulation = std::move(trial);
+      this->diagram.inner = std::move(inner);
+      this->inserted += count(balls);
+      for (const Ball& ball : balls)
+      {
+        this->diagram.balls.push_back(ball);
+        this->diagram.samples.close();
+      }
     }
-    triangulation.insert(balls, execution);
-    findVertices(triangulation.tetrahedra(), diagram, execution);
-    ++result.rounds;
-    result.inserted += count(balls);
+    else if (balls.size() == 1)
+    {
+      ++this->refused;
+    }
+    else
+    {
+      const auto middle = balls.begin() + static_cast<std::ptrdiff_t>(balls.size() / 2);
+      this->insert({ balls.begin(), middle });
+      this->insert({ middle, balls.end() });
+    }
   }
-}
+
+  PowerDiagram& diagram;
+  RegularTriangulation& triangulation;
+  double limit;
+  const Execution& execution;
+  Betti betti;
+};
 
 /// Largest clearance of the points that are no samples. The ball behind a face bounds it, so the
 /// others need to be asked only where that bound is the largest left.
@@ -355,33 +401,30 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   const double spacing = polarBalls.spacing * frame.scale;
   const std::size_t visible = std::count_if(polarBalls.sides.begin(), polarBalls.sides.end(),
     [](Side side) { return side != Side::Hidden; });
-  Refinement refinement;
-  if (chosen.ids.size() == visible)
+  RegularTriangulation triangulation;
+  const bool pruned = chosen.ids.size() < visible;
+  if (pruned)
   {
-    findVertices(renumbered(polarBalls, chosen.ids), diagram, execution);
-  }
-  else
-  {
-    RegularTriangulation triangulation;
     triangulation.insert(diagram.balls, execution.part(0, 0.6));
-    findVertices(triangulation.tetrahedra(), diagram, execution);
-    const bool fill = options.rule == CrustRule::Clearance;
-    refinement = refine(diagram, triangulation, options.clearance * spacing,
-      fill ? options.maximumRounds : 0, execution.part(0.6, 0.8));
   }
+  findVertices(
+    pruned ? triangulation.tetrahedra() : renumbered(polarBalls, chosen.ids), diagram, execution);
+  const Execution refinement = execution.part(0.6, 0.8);
+  Refiner refiner(diagram, triangulation, options.clearance * spacing, refinement);
+  refiner.run(pruned && options.rule == CrustRule::Clearance ? options.maximumRounds : 0);
   execution.report(0.8);
   Crust crust = crustSurface(diagram);
   checkSurface(crust);
   measureSolid(crust);
-  crust.insertedBalls = refinement.inserted;
-  crust.rounds = refinement.rounds;
+  crust.insertedBalls = refiner.inserted;
+  crust.refusedBalls = refiner.refused;
+  crust.rounds = refiner.rounds;
   crust.maximumClearance = largestClearance(diagram, crust, execution) / spacing;
   crust.volume /= frame.scale * frame.scale * frame.scale;
   for (std::size_t p = 0; p < crust.points.size(); ++p)
   {
     const Index sample = crust.sampleOfPoint[p];
-    crust.points[p] =
-      sample != None ? polarBalls.samples[sample] : frame.toWorld(crust.points[p]);
+    crust.points[p] = sample != None ? polarBalls.samples[sample] : frame.toWorld(crust.points[p]);
   }
   const auto original = [&](Index& ball) {
     ball = ball < count(chosen.ids) ? chosen.ids[ball] : None;

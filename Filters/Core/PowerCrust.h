@@ -14,8 +14,8 @@ namespace medial
 enum class CrustRule
 {
   Clearance = 0,    ///< outer balls are added until no free vertex of the crust is farther from the
-                    ///< union of the kept balls than the clearance; where no ball was removed nothing
-                    ///< is added
+                    ///< union of the kept balls than the clearance; none where no ball was removed,
+                    ///< and none that would change the topology
   InnerOnly = 1,    ///< nothing (paper 5)
   InnerAndOuter = 2 ///< the outer balls of their samples go as well (paper 5, sharp corners)
 };
@@ -38,14 +38,16 @@ struct Crust
   // One entry for each face, a polygon.
   IndexLists faces;             ///< points, counter-clockwise seen from outside
   std::vector<Index> innerBall; ///< the ball behind the face
-  std::vector<Index> outerBall; ///< the ball before it; None for a ball added by CrustRule::Clearance
+  std::vector<Index>
+    outerBall; ///< the ball before it; None for a ball added by CrustRule::Clearance
 
-  Betti betti;           ///< of the solid that the crust encloses
-  bool closed;           ///< every edge between two faces, in opposite directions
-  bool manifold;         ///< and the faces at every point form one fan
-  double volume;         ///< enclosed, cube of the samples' unit
-  Index insertedBalls;   ///< by CrustRule::Clearance
-  int rounds;            ///< of insertion made
+  Betti betti;             ///< of the solid that the crust encloses
+  bool closed;             ///< every edge between two faces, in opposite directions
+  bool manifold;           ///< and the faces at every point form one fan
+  double volume;           ///< enclosed, cube of the samples' unit
+  Index insertedBalls;     ///< by CrustRule::Clearance
+  Index refusedBalls;      ///< not inserted, since the topology would have changed
+  int rounds;              ///< of insertion made
   double maximumClearance; ///< largest distance of a point that is no sample to the union of the
                            ///< kept balls, in sample spacings; 0 where none is outside
 };

@@ -27,8 +27,8 @@ struct ShapeTriangle
 /// balls through a sample meet there, and rounding would decide.
 struct PowerShape
 {
-  Tetrahedra triangulation;    ///< of all balls, with neighbours
-  std::vector<char> contains;  ///< for each cell: is it in the power shape?
+  Tetrahedra triangulation;   ///< of all balls, with neighbours
+  std::vector<char> contains; ///< for each cell: is it in the power shape?
   std::vector<ShapeTriangle> triangles;
   Betti betti;
 };
@@ -36,6 +36,9 @@ struct PowerShape
 /// The power shape of `polarBalls`.
 /// @throw InvalidInput  the cells aren't a triangulation: a triangle with more than two cells
 PowerShape powerShape(const PolarBalls& polarBalls, const Execution& execution = {});
+
+/// Betti numbers of the subcomplex of all simplices of a triangulation whose corners are marked.
+Betti markedBetti(const Tetrahedra& mesh, const std::vector<char>& marked);
 }
 
 #endif

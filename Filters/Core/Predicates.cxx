@@ -71,8 +71,8 @@ Point exactPowerCenter(const std::array<Ball, 4>& balls)
   Point result;
   for (int k = 0; k < 3; ++k)
   {
-    result[k] = CGAL::to_double(
-      Exact(system.determinant(k, false)[0] / det + Exact(balls[0].center[k])));
+    result[k] =
+      CGAL::to_double(Exact(system.determinant(k, false)[0] / det + Exact(balls[0].center[k])));
   }
   return result;
 }

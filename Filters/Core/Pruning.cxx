@@ -29,8 +29,9 @@ void requireValid(const MedialAxis& axis, const PruneOptions& options)
   {
     if (cell < 0 || cell >= axis.cells.size())
     {
-      throw InvalidInput("cell " + std::to_string(cell) + " is to be removed, but the axis has only " +
-        std::to_string(axis.cells.size()) + " cells; ids are those of the input");
+      throw InvalidInput("cell " + std::to_string(cell) +
+        " is to be removed, but the axis has only " + std::to_string(axis.cells.size()) +
+        " cells; ids are those of the input");
     }
   }
 }
@@ -87,8 +88,8 @@ private:
     PruneRow row = this->newRow(round);
     row.measure = iteration.measure;
     row.threshold = iteration.threshold;
-    for (bool changed = true;
-         changed && (iteration.passes == 0 || row.passes < iteration.passes); ++row.passes)
+    for (bool changed = true; changed && (iteration.passes == 0 || row.passes < iteration.passes);
+         ++row.passes)
     {
       changed = false;
       if (this->options.removeHair)

@@ -68,21 +68,21 @@ struct PruneRow
   double threshold;
   int passes; ///< made
   Index partsBefore, partsAfter;
-  Index candidates; ///< parts of level 1 with at most the threshold
-  Index removed;    ///< parts removed, those of branches and of hair included
-  Index refused;    ///< candidates that topology kept
-  Betti betti;      ///< of the axis after it
+  Index candidates;     ///< parts of level 1 with at most the threshold
+  Index removed;        ///< parts removed, those of branches and of hair included
+  Index refused;        ///< candidates that topology kept
+  Betti betti;          ///< of the axis after it
   double volumeRemoved; ///< relative
 };
 
 struct Pruned
 {
-  MedialAxis axis;                    ///< all points of the input, the living cells
-  MedialParts parts;                  ///< of the living cells
-  std::vector<KeepReason> keepReason; ///< for each part
-  std::vector<Index> inputCell;       ///< for each living cell: its number in the input
+  MedialAxis axis;                       ///< all points of the input, the living cells
+  MedialParts parts;                     ///< of the living cells
+  std::vector<KeepReason> keepReason;    ///< for each part
+  std::vector<Index> inputCell;          ///< for each living cell: its number in the input
   std::vector<Index> removedInIteration; ///< for each cell of the input: row of `history`, or None
-  std::vector<Index> removedPart;     ///< for each cell of the input: its part when it was removed
+  std::vector<Index> removedPart; ///< for each cell of the input: its part when it was removed
   std::vector<PruneRow> history;
 };
 
@@ -93,8 +93,7 @@ struct Pruned
 /// contact with everything else.
 ///
 /// @throw InvalidInput  a threshold that is not a number or negative; a cell that isn't there
-Pruned prune(
-  const MedialAxis& axis, const PruneOptions& options, const Execution& execution = {});
+Pruned prune(const MedialAxis& axis, const PruneOptions& options, const Execution& execution = {});
 }
 
 #endif

@@ -51,8 +51,8 @@ public:
       {
         const Triangle t = facet(mesh.cells[c], i);
         const Index n = mesh.neighbors[c][i];
-        const bool inner = std::all_of(t.begin(), t.end(),
-          [&](Index b) { return this->polarBalls.sides[b] == Side::Inner; });
+        const bool inner = std::all_of(
+          t.begin(), t.end(), [&](Index b) { return this->polarBalls.sides[b] == Side::Inner; });
         if (inner && (n == None || n > c) && !this->isGone(c, i) &&
           (n == None || !this->isGone(n, this->sideTowards(n, c))))
         {
@@ -71,9 +71,9 @@ private:
     int facet;
     bool operator<(const Candidate& other) const
     {
-      return this->area != other.area ? this->area < other.area
-                                      : std::make_pair(this->cell, this->facet) >
-          std::make_pair(other.cell, other.facet);
+      return this->area != other.area
+        ? this->area < other.area
+        : std::make_pair(this->cell, this->facet) > std::make_pair(other.cell, other.facet);
     }
   };
 
@@ -92,7 +92,8 @@ private:
     {
       const Index n = this->shape.triangulation.neighbors[c][i];
       const bool free = n == None || !this->living[n];
-      const bool gone = this->isGone(c, i) || (n != None && this->isGone(n, this->sideTowards(n, c)));
+      const bool gone =
+        this->isGone(c, i) || (n != None && this->isGone(n, this->sideTowards(n, c)));
       if (free && !gone)
       {
         const Triangle t = facet(this->shape.triangulation.cells[c], i);
@@ -139,8 +140,7 @@ std::vector<Edge> looseEdges(
   std::sort(sides.begin(), sides.end());
   std::vector<Edge> result;
   const auto isInner = [&](Index b) { return polarBalls.sides[b] == Side::Inner; };
-  for (const Edge& edge :
-    edgeNumbers(shape.triangulation.cells, count(polarBalls.balls)).edges)
+  for (const Edge& edge : edgeNumbers(shape.triangulation.cells, count(polarBalls.balls)).edges)
   {
     if (isInner(edge[0]) && isInner(edge[1]) &&
       !std::binary_search(sides.begin(), sides.end(), edge))

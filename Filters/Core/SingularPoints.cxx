@@ -17,8 +17,7 @@ namespace
 {
 /// Do the three ascending lists share an element of which `accept` approves?
 template <typename Accept>
-bool anyShared(
-  IndexLists::View a, IndexLists::View b, IndexLists::View c, const Accept& accept)
+bool anyShared(IndexLists::View a, IndexLists::View b, IndexLists::View c, const Accept& accept)
 {
   const Index *i = a.begin(), *j = b.begin(), *k = c.begin();
   while (i != a.end() && j != b.end() && k != c.end())

@@ -18,16 +18,16 @@ namespace medial
 /// inside the shape are the medial axis (paper 2.1 step 3). Geometry is in the frame.
 struct SiteTriangulation
 {
-  Tetrahedra mesh;   ///< corners are singular points
+  Tetrahedra mesh; ///< corners are singular points
   EdgeNumbers edges;
   Index siteCount;
 
   // One entry for each cell.
-  std::vector<Ball> spheres;  ///< circumspheres; the polar ball itself where the cell is on one
-  std::vector<Index> onBall;  ///< the inner ball that passes through all four corners, or None
-  std::vector<char> isCore;   ///< on a ball, or its centre is in the power shape
-  std::vector<double> depth;  ///< circumradius / least, over the corners, of the largest inner ball
-                              ///< through the corner; negative where the cell can't be inside
+  std::vector<Ball> spheres; ///< circumspheres; the polar ball itself where the cell is on one
+  std::vector<Index> onBall; ///< the inner ball that passes through all four corners, or None
+  std::vector<char> isCore;  ///< on a ball, or its centre is in the power shape
+  std::vector<double> depth; ///< circumradius / least, over the corners, of the largest inner ball
+                             ///< through the corner; negative where the cell can't be inside
 };
 
 SiteTriangulation siteTriangulation(const PolarBalls& polarBalls, const PowerShape& shape,

@@ -155,6 +155,13 @@ RegularTriangulation::~RegularTriangulation() = default;
 RegularTriangulation::RegularTriangulation(RegularTriangulation&&) noexcept = default;
 RegularTriangulation& RegularTriangulation::operator=(RegularTriangulation&&) noexcept = default;
 
+RegularTriangulation RegularTriangulation::copy() const
+{
+  RegularTriangulation result;
+  *result.implementation = *this->implementation;
+  return result;
+}
+
 void RegularTriangulation::insert(const std::vector<Ball>& balls, const Execution& execution)
 {
   std::vector<Kernel::Point_3> centers;

@@ -30,6 +30,8 @@ public:
   RegularTriangulation(RegularTriangulation&&) noexcept;
   RegularTriangulation& operator=(RegularTriangulation&&) noexcept;
 
+  RegularTriangulation copy() const;
+
   /// Adds balls; they are numbered on from those already there.
   void insert(const std::vector<Ball>& balls, const Execution& execution = {});
 

@@ -155,8 +155,7 @@ private:
       const std::vector<Index>& corners = this->polygons[p].corners;
       return static_cast<Index>(std::find(corners.begin(), corners.end(), v) - corners.begin());
     };
-    const Index before =
-      this->splitSide(b, next(this->polygons[p].corners, placeOf(b), -1));
+    const Index before = this->splitSide(b, next(this->polygons[p].corners, placeOf(b), -1));
     const Index after = this->splitSide(b, next(this->polygons[p].corners, placeOf(b), 1));
     this->polygons[p].corners.erase(this->polygons[p].corners.begin() + placeOf(b));
     this->append({ { before, b, after }, this->polygons[p].siteEdge });
@@ -283,8 +282,7 @@ std::vector<std::vector<Index>> sameVertices(
   std::vector<std::vector<Index>> result;
   for (auto& [first, group] : groups)
   {
-    std::stable_partition(
-      group.begin(), group.end(), [&ball](Index v) { return ball[v] != None; });
+    std::stable_partition(group.begin(), group.end(), [&ball](Index v) { return ball[v] != None; });
     if (group.size() > 1)
     {
       result.push_back(group);
@@ -294,8 +292,7 @@ std::vector<std::vector<Index>> sameVertices(
 }
 }
 
-void appendSimplePolygons(
-  std::vector<Index> walk, Index siteEdge, std::vector<Polygon>& polygons)
+void appendSimplePolygons(std::vector<Index> walk, Index siteEdge, std::vector<Polygon>& polygons)
 {
   std::vector<Index> path;
   const auto emit = [&](std::vector<Index> corners) {
@@ -318,8 +315,8 @@ void appendSimplePolygons(
   emit(path);
 }
 
-MergedVertices mergeVertices(const std::vector<Point>& points, const std::vector<Index>& ball,
-  std::vector<Polygon>& polygons)
+MergedVertices mergeVertices(
+  const std::vector<Point>& points, const std::vector<Index>& ball, std::vector<Polygon>& polygons)
 {
   Merger merger(polygons, count(points));
   MergedVertices result{ std::vector<char>(points.size(), 0), {} };

@@ -17,8 +17,7 @@ struct Polygon
 
 /// Cuts a closed walk where it visits a vertex again, drops pieces of one corner, and appends the
 /// rest to `polygons`. A cut is a chord of the face, contracted: the topology stays.
-void appendSimplePolygons(
-  std::vector<Index> walk, Index siteEdge, std::vector<Polygon>& polygons);
+void appendSimplePolygons(std::vector<Index> walk, Index siteEdge, std::vector<Polygon>& polygons);
 
 /// What mergeVertices did.
 struct MergedVertices
@@ -36,8 +35,8 @@ struct MergedVertices
 /// are split until it closes one. Vertices in different pieces stay apart.
 /// @param points  of the vertices, in a frame
 /// @param ball    the pole that each vertex is, or None
-MergedVertices mergeVertices(const std::vector<Point>& points, const std::vector<Index>& ball,
-  std::vector<Polygon>& polygons);
+MergedVertices mergeVertices(
+  const std::vector<Point>& points, const std::vector<Index>& ball, std::vector<Polygon>& polygons);
 }
 
 #endif
