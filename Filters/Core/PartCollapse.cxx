@@ -138,6 +138,14 @@ LivingCells::Unit LivingCells::unitOf(const std::vector<Index>& cells)
       unit.triangles.push_back(sides);
     }
   }
+  this->findContact(edges, points, unit);
+  unit.trianglesLeft = count(unit.triangles);
+  return unit;
+}
+
+void LivingCells::findContact(
+  const std::vector<Index>& edges, const std::vector<Index>& points, Unit& unit)
+{
   for (Index e = 0; e < count(edges); ++e)
   {
     Unit::UnitEdge& edge = unit.edges[e];
@@ -157,8 +165,6 @@ LivingCells::Unit LivingCells::unitOf(const std::vector<Index>& cells)
     unit.hasContact = unit.hasContact || unit.points[p].fixed;
     this->localPoint[points[p]] = None;
   }
-  unit.trianglesLeft = count(unit.triangles);
-  return unit;
 }
 
 void LivingCells::collapseTriangles(Unit& unit) const

@@ -37,6 +37,8 @@ public:
 private:
   struct Unit;
   Unit unitOf(const std::vector<Index>& cells);
+  /// Finds what of a unit other living cells use, by its edges and points; clears the scratch.
+  void findContact(const std::vector<Index>& edges, const std::vector<Index>& points, Unit& unit);
   void collapseTriangles(Unit& unit) const;
   bool collapseEdges(Unit& unit) const;
 
