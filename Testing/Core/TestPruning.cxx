@@ -522,6 +522,40 @@ TEST(Pruning, TakesTheLeastSignificantFirst)
   EXPECT_EQ(pruned.removedInIteration[13], 0);
 }
 
+TEST(Pruning, DoesNotEatALongFeatureFromItsEnds)
+{
+  // A string of 20 triangles with an edge between each two. All parts are small, together they are
+  // the object; at each of the two ends at most the threshold goes.
+  Drawing drawing;
+  for (int i = 0; i < 20; ++i)
+  {
+    const double x = 2 * i;
+    drawing.triangle(
+      drawing.point(x, 0, 0), drawing.point(x + 1, 0, 0), drawing.point(x + 0.5, 1, 0));
+    if (i < 19)
+    {
+      drawing.edge(drawing.point(x + 1, 0, 0), drawing.point(x + 2, 0, 0));
+    }
+  }
+  for (const double threshold : { 0.06, 0.1, 0.2 })
+  {
+    SCOPED_TRACE(testing::Message() << "threshold " << threshold);
+    const Pruned pruned = medial::prune(drawing.axis(), once(Measure::RelativeVolume, threshold));
+    EXPECT_GT(pruned.history.at(0).volumeRemoved, 0);
+    EXPECT_LE(pruned.history.at(0).volumeRemoved, 2 * threshold + 1e-9);
+  }
+}
+
+TEST(Pruning, LeavesMostOfACapsule)
+{
+  // Its axis is a string of slivers. At the two ends a tenth may go each, and the slivers beside.
+  const MedialAxis& axis = pipelines::of("capsule").axis();
+  EXPECT_LT(
+    medial::prune(axis, once(Measure::RelativeVolume, 0.1)).history.at(0).volumeRemoved, 0.35);
+  EXPECT_LT(
+    medial::prune(axis, once(Measure::RelativeVolume, 0.01)).history.at(0).volumeRemoved, 0.2);
+}
+
 TEST(Pruning, KeepReasonsTellTheThreshold)
 {
   forEachShape([](Pipeline& p) {
