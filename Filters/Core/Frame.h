@@ -26,9 +26,10 @@ struct Frame
 ///                      whose cube leaves the range of doubles
 Frame frameOf(const std::vector<Point>& points);
 
-/// Lengths in a frame below which constructions are the same: 1e-9 of the diagonal, which is at most
-/// 1.74. Doubles leave 1e-13 for well-conditioned constructions; samples are some 1e-3 apart.
-constexpr double coincident = 1.75e-9;
+/// Lengths in a frame below which constructions are the same: 2e-9 of the diagonal, which is at most
+/// 1.74, so that neither points nor midpoints of edges with a common end coincide at 1e-9. Doubles
+/// leave 1e-13 for well-conditioned constructions; samples are some 1e-3 apart.
+constexpr double coincident = 3.5e-9;
 
 /// Error allowed to constructions in a frame, well below `coincident`.
 constexpr double constructionError = 1e-12;
