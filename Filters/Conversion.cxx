@@ -554,11 +554,12 @@ void write(const Crust& crust, const std::vector<Index>& partOfBall, vtkUnstruct
   addOne<vtkDoubleArray>(field, names::MaximumClearance, crust.maximumClearance);
 }
 
-void print(std::ostream& stream, const std::vector<PruneIteration>& schedule)
+void print(std::ostream& stream, vtkIndent indent, const std::vector<PruneIteration>& schedule)
 {
   for (const PruneIteration& iteration : schedule)
   {
-    stream << (iteration.measure == Measure::TriangleCount ? "triangle count" : "relative volume")
+    stream << indent
+           << (iteration.measure == Measure::TriangleCount ? "triangle count" : "relative volume")
            << " <= " << iteration.threshold << ", passes: " << iteration.passes << "\n";
   }
 }

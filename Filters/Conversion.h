@@ -8,6 +8,7 @@
 #include "PowerCrust.h"
 #include "Pruning.h"
 
+#include "vtkIndent.h"
 #include "vtkType.h"
 
 #include <iosfwd>
@@ -63,7 +64,7 @@ void write(const Crust& crust, const std::vector<Index>& partOfBall, vtkUnstruct
   vtkPolyData* output);
 
 /// The schedule for people, one line for each iteration.
-void print(std::ostream& stream, const std::vector<PruneIteration>& schedule);
+void print(std::ostream& stream, vtkIndent indent, const std::vector<PruneIteration>& schedule);
 }
 
 #endif

@@ -149,7 +149,7 @@ void vtkMedialPrune::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Schedule: " << this->GetNumberOfIterations() << " iterations\n";
-  medial::print(os, this->Lists->Schedule);
+  medial::print(os, indent.GetNextIndent(), this->Lists->Schedule);
   os << indent << "Topology: " << (this->Topology == COLLAPSE ? "COLLAPSE" : "NONE") << "\n";
   os << indent << "RemoveHair: " << (this->RemoveHair ? "on" : "off") << "\n";
   os << indent << "RemoveBranches: " << (this->RemoveBranches ? "on" : "off") << "\n";

@@ -15,7 +15,7 @@
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
 #include <vtkTesting.h>
-#include <vtkThreshold.h>
+#include <vtkThresholdPoints.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <cstdlib>
@@ -59,17 +59,18 @@ vtkSmartPointer<vtkActor> byPart(vtkAlgorithm* filter)
 
 vtkSmartPointer<vtkActor> innerBalls()
 {
-  vtkNew<vtkThreshold> inner;
+  vtkNew<vtkThresholdPoints> inner;
   inner->SetInputConnection(boxPipeline().balls->GetOutputPort());
   inner->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Side");
-  inner->SetLowerThreshold(1);
-  inner->SetUpperThreshold(1);
-  inner->SetThresholdFunction(vtkThreshold::THRESHOLD_BETWEEN);
+  inner->ThresholdBetween(1, 1);
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(1);
+  ball->SetThetaResolution(24);
+  ball->SetPhiResolution(24);
   vtkNew<vtkGlyph3DMapper> mapper;
   mapper->SetInputConnection(inner->GetOutputPort());
   mapper->SetSourceConnection(ball->GetOutputPort());
+  mapper->SetScaleModeToScaleByMagnitude();
   mapper->SetScaleArray("Radius");
   mapper->SetScaleFactor(1);
   mapper->ScalarVisibilityOff();
@@ -89,6 +90,7 @@ vtkSmartPointer<vtkActor> axisByRadius()
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->EdgeVisibilityOn();
+  actor->GetProperty()->SetEdgeColor(0.3, 0.3, 0.3);
   return actor;
 }
 
@@ -125,7 +127,10 @@ int main(int argc, char* argv[])
   const std::string stage = argv[1];
   boxPipeline();
   vtkNew<vtkRenderer> renderer;
-  renderer->AddActor(picture(stage));
+  vtkSmartPointer<vtkActor> actor = picture(stage);
+  actor->GetProperty()->SetAmbient(0.35); // the axis shows its dark sides as well
+  actor->GetProperty()->SetDiffuse(0.65);
+  renderer->AddActor(actor);
   renderer->SetBackground(1, 1, 1);
   vtkNew<vtkRenderWindow> window;
   window->SetMultiSamples(0);
@@ -137,7 +142,7 @@ int main(int argc, char* argv[])
   renderer->GetActiveCamera()->SetFocalPoint(0, 0, 0);
   renderer->GetActiveCamera()->SetViewUp(0, 0, 1);
   renderer->ResetCamera();
-  renderer->GetActiveCamera()->Zoom(1.5);
+  renderer->GetActiveCamera()->Zoom(1.4);
   window->Render();
 
   const double allowedDifference = 10; // VTK's measure; another driver's edges stay far below it

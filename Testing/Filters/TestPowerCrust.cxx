@@ -178,7 +178,7 @@ TEST(PowerCrust, RefusesAnAxisWithoutCells)
   vtkSmartPointer<vtkPowerCrust> filter = boxCrust();
   filter->SetAxisData(axis);
   const std::string error = onlyError(filter);
-  EXPECT_NE(error.find("kept"), std::string::npos) << error;
+  EXPECT_NE(error.find("no inner ball is left"), std::string::npos) << error;
 }
 
 TEST(PowerCrust, RefusesPartsThatCanNotBe)
