@@ -318,7 +318,8 @@ inline std::string bytesOf(const medial::Crust& c)
 {
   Bytes bytes;
   bytes.add(c.points).add(c.sampleOfPoint).add(c.faces).add(c.innerBall).add(c.outerBall);
-  bytes.add(c.betti).add(c.closed).add(c.manifold).add(c.volume).add(c.insertedBalls);
+  bytes.add(c.betti).add(c.closed).add(c.manifold).add(c.volume);
+  bytes.add(c.insertedBalls).add(c.refusedBalls);
   return bytes.add(c.rounds).add(c.maximumClearance).text;
 }
 

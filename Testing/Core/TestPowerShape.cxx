@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <random>
 #include <set>
 
 using medial::Index;
@@ -18,15 +19,16 @@ using pipelines::Pipeline;
 
 namespace
 {
-/// All simplices of the balls' triangulation with inner corners only.
-validators::Complex innerSimplices(const medial::PolarBalls& balls)
+/// All simplices of a triangulation with marked corners only.
+validators::Complex markedSimplices(
+  const std::vector<Tetrahedron>& cells, const std::vector<char>& marked)
 {
   validators::Complex complex;
-  for (const Tetrahedron& cell : balls.cells)
+  for (const Tetrahedron& cell : cells)
   {
     std::vector<Index> inner;
     std::copy_if(cell.begin(), cell.end(), std::back_inserter(inner),
-      [&](Index b) { return balls.sides[b] == Side::Inner; });
+      [&](Index corner) { return marked[corner] != 0; });
     switch (inner.size())
     {
       case 1:
@@ -46,6 +48,16 @@ validators::Complex innerSimplices(const medial::PolarBalls& balls)
     }
   }
   return complex;
+}
+
+validators::Complex innerSimplices(const medial::PolarBalls& balls)
+{
+  std::vector<char> inner;
+  for (const Side side : balls.sides)
+  {
+    inner.push_back(side == Side::Inner ? 1 : 0);
+  }
+  return markedSimplices(balls.cells, inner);
 }
 
 Triangle sorted(Triangle triangle)
@@ -78,6 +90,26 @@ TEST(PowerShape, HasTheBettiNumbersThatTheRanksGiveOnRandomPoints)
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const medial::PolarBalls balls = medial::polarBalls(shapes::cloud(60 + 10 * seed, seed));
     EXPECT_EQ(medial::powerShape(balls).betti, validators::bettiNumbers(innerSimplices(balls)));
+  }
+}
+
+TEST(PowerShape, BettiNumbersOfMarkedCornersAreThoseOfTheRanks)
+{
+  for (unsigned seed = 0; seed < 10; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const medial::PolarBalls balls = medial::polarBalls(shapes::cloud(80, seed));
+    const medial::Tetrahedra mesh = medial::withNeighbors(balls.cells);
+    std::mt19937 random(seed);
+    std::vector<char> marked;
+    for (std::size_t b = 0; b < balls.balls.size(); ++b)
+    {
+      // Hidden balls are no corners, and a marked guard-side ball would touch the hull.
+      const bool may = balls.sides[b] != Side::Hidden && !balls.touchesGuard[b];
+      marked.push_back(may && random() % 3 != 0 ? 1 : 0);
+    }
+    EXPECT_EQ(medial::markedBetti(mesh, marked),
+      validators::bettiNumbers(markedSimplices(balls.cells, marked)));
   }
 }
 
