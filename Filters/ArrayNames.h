@@ -96,6 +96,7 @@ constexpr const char* BettiCrust = "BettiCrust";
 constexpr const char* Closed = "Closed";
 constexpr const char* Manifold = "Manifold";
 constexpr const char* InsertedBalls = "InsertedBalls";
+constexpr const char* RefusedBalls = "RefusedBalls";
 constexpr const char* Rounds = "Rounds";
 constexpr const char* MaximumClearance = "MaximumClearance";
 }

@@ -6,7 +6,8 @@
  * Fourth filter of the medial axis pipeline. It works through a schedule of iterations. Each cuts
  * the axis into parts and removes the parts of level 1 whose significance is at most a threshold,
  * least significant first. By default the removal never changes the Betti numbers: a part may go if
- * and only if it collapses, by free faces, onto its contact with the rest.
+ * and only if it collapses, by free faces, onto its contact with the rest. Passes are repeated; a
+ * part takes over the significance of what was removed from it in earlier passes.
  *
  * Input: vtkPolyData, the output of vtkMedialAxis, vtkMedialPartDecomposition or vtkMedialPrune.
  *

@@ -26,10 +26,10 @@
  *  - `Closed` (unsigned char): 1 where every edge lies between two faces, in opposite directions.
  *  - `Manifold` (unsigned char): 1 where moreover the faces at every point form one fan.
  *  - `Volume` (double): enclosed, cube of the samples' unit.
- *  - `InsertedBalls`, `Rounds` (vtkIdType): outer balls that the rule has added, and in how many
- *    rounds.
+ *  - `InsertedBalls`, `RefusedBalls`, `Rounds` (vtkIdType): outer balls that the rule has added, those
+ *    it has not because the topology would have changed, and the rounds made.
  *  - `MaximumClearance` (double): largest distance of a point that is no sample to the union of the
- *    kept balls, in sample spacings.
+ *    kept balls, in sample spacings; 0 where none is outside.
  *
  * The field data of input 0 is passed on. An error (an array that is missing or does not fit, an
  * axis of other balls, no ball kept) leaves the output empty and sets the error code. Under MPI the
@@ -72,7 +72,8 @@ public:
   ///@{
   /**
    * What becomes of the place of removed inner balls. CLEARANCE, the default: outer balls are added
-   * until no point of the crust but samples is farther from the kept balls than the clearance.
+   * until no point of the crust but samples is farther from the kept balls than the clearance; none
+   * that would change the topology.
    * INNER_ONLY: nothing (paper 5). INNER_AND_OUTER: the outer balls of their samples go as well
    * (paper 5, for sharp corners).
    */

@@ -46,7 +46,7 @@ TEST(PowerCrust, HasTheArraysOfItsHeader)
   std::vector<std::string> expected = arrays(boxPipeline().balls->GetOutput()->GetFieldData());
   for (const char* array : { "BettiCrust idtype 3", "Closed unsigned char 1",
          "InsertedBalls idtype 1", "Manifold unsigned char 1", "MaximumClearance double 1",
-         "Rounds idtype 1", "Volume double 1" })
+         "RefusedBalls idtype 1", "Rounds idtype 1", "Volume double 1" })
   {
     expected.emplace_back(array);
   }
