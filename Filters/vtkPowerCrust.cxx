@@ -8,6 +8,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <optional>
 #include <vector>
 
 static_assert(vtkPowerCrust::CLEARANCE == static_cast<int>(medial::CrustRule::Clearance) &&
@@ -17,12 +18,13 @@ static_assert(vtkPowerCrust::CLEARANCE == static_cast<int>(medial::CrustRule::Cl
 
 namespace
 {
-/// Which balls are kept and the part that each counts for. Both empty, for all inner balls and no
-/// parts, where there is no axis.
+/// Which balls are kept, the part that each counts for, and the topology of the axis. All empty, for
+/// all inner balls and no parts, where there is no axis.
 struct KeptBalls
 {
   std::vector<char> Flags;
   std::vector<medial::Index> Parts;
+  std::optional<medial::Betti> Topology;
 
   KeptBalls(vtkPolyData* axisData, const medial::PolarBalls& balls)
   {
@@ -34,6 +36,7 @@ struct KeptBalls
     const std::vector<medial::Index> parts = medial::readParts(axisData);
     medial::checkSameBalls(axis, balls);
     this->Flags = medial::keptBalls(axis);
+    this->Topology = medial::bettiNumbers(axis.cells);
     if (!parts.empty())
     {
       this->Parts = medial::partOfBall(axis, parts);
@@ -73,7 +76,7 @@ int vtkPowerCrust::RequestData(
     const medial::PolarBalls balls = medial::readPolarBalls(input);
     const KeptBalls kept(axis, balls);
     const medial::CrustOptions options{ static_cast<medial::CrustRule>(this->Rule), this->Clearance,
-      this->MaximumRounds };
+      this->MaximumRounds, kept.Topology };
     medial::write(
       medial::powerCrust(balls, kept.Flags, options, execution), kept.Parts, input, output);
   });

@@ -146,9 +146,18 @@ std::vector<Side> labels(const LabelInput& input, const Execution& execution)
 {
   std::vector<Side> sides(input.balls.size(), Side::Outer);
   Beliefs beliefs{ std::vector<std::array<float, 2>>(input.balls.size(), { 0, 0 }) };
+  Point lower = input.samples.front(), upper = input.samples.front();
+  for (const Point& sample : input.samples)
+  {
+    lower = lower.cwiseMin(sample);
+    upper = upper.cwiseMax(sample);
+  }
   for (std::size_t b = 0; b < sides.size(); ++b)
   {
-    beliefs.of[b][0] = input.touchesGuard[b] ? 1 : 0;
+    const Point& center = input.balls[b].center;
+    const bool beyond =
+      (center.array() < lower.array()).any() || (center.array() > upper.array()).any();
+    beliefs.of[b][0] = input.touchesGuard[b] || beyond ? 1 : 0;
   }
   const Links network = links(pairs(input), count(input.balls));
   execution.report(0.5);

@@ -19,7 +19,8 @@ struct LabelInput
   const std::vector<Tetrahedron>& cells; ///< of the balls' regular triangulation
 };
 
-/// The side of each ball ([ACK01] section 4). Balls that touch a guard are outer; from them labels
+/// The side of each ball ([ACK01] section 4). Balls that touch a guard or
+/// are centred beyond the samples' bounding box are outer; from them labels
 /// spread, most certain first: to balls that intersect deeply (same side) and from one pole of a
 /// sample to the other (other side). Balls in no cell are hidden.
 std::vector<Side> labels(const LabelInput& input, const Execution& execution = {});

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <unordered_map>
@@ -98,6 +99,17 @@ ChosenBalls chosenBalls(const PolarBalls& polarBalls, const std::vector<char>& k
     diagram.positions.push_back(frame.toLocal(sample));
   }
   return result;
+}
+
+/// Betti numbers of the power shape of the kept balls.
+Betti topologyOf(const PolarBalls& polarBalls, const std::vector<char>& keep)
+{
+  std::vector<char> kept(polarBalls.balls.size());
+  for (std::size_t b = 0; b < kept.size(); ++b)
+  {
+    kept[b] = polarBalls.sides[b] == Side::Inner && (keep.empty() || keep[b]);
+  }
+  return markedBetti(withNeighbors(polarBalls.cells), kept);
 }
 
 /// The same numbers for the cells as in the input where nothing was removed.
@@ -193,12 +205,15 @@ std::vector<Ball> fillingBalls(
 class Refiner
 {
 public:
-  Refiner(PowerDiagram& power, RegularTriangulation& cells, double clearance, const Execution& how)
+  /// @param topology  the Betti numbers that the crust's solid should have
+  Refiner(PowerDiagram& power, RegularTriangulation& cells, double clearance, const Betti& topology,
+    const Execution& how)
     : diagram(power)
     , triangulation(cells)
     , limit(clearance)
     , execution(how)
-    , betti(markedBetti(power.dual, power.inner))
+    , wanted(topology)
+    , defect(this->defectOf(markedBetti(power.dual, power.inner)))
   {
   }
 
@@ -225,7 +240,14 @@ public:
   Index refused = 0;
 
 private:
-  /// Inserts all the balls; where that changes the topology, as many as it can by halves.
+  Index defectOf(const Betti& betti) const
+  {
+    return std::abs(betti[0] - this->wanted[0]) + std::abs(betti[1] - this->wanted[1]) +
+      std::abs(betti[2] - this->wanted[2]);
+  }
+
+  /// Inserts all the balls; where that brings the topology farther from the one wanted, as many as
+  /// it can by halves.
   void insert(const std::vector<Ball>& balls)
   {
     if (balls.empty())
@@ -236,8 +258,10 @@ private:
     trial.insert(balls, this->execution);
     std::vector<char> inner = this->diagram.inner;
     inner.resize(inner.size() + balls.size(), 0);
-    if (markedBetti(trial.tetrahedra(), inner) == this->betti)
+    const Index trialDefect = this->defectOf(markedBetti(trial.tetrahedra(), inner));
+    if (trialDefect <= this->defect)
     {
+      this->defect = trialDefect;
       this->triangulation = std::move(trial);
       this->diagram.inner = std::move(inner);
       this->inserted += count(balls);
@@ -263,7 +287,8 @@ private:
   RegularTriangulation& triangulation;
   double limit;
   const Execution& execution;
-  Betti betti;
+  Betti wanted;
+  Index defect;
 };
 
 /// Largest clearance of the points that are no samples. The ball behind a face bounds it, so the
@@ -410,7 +435,8 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   findVertices(
     pruned ? triangulation.tetrahedra() : renumbered(polarBalls, chosen.ids), diagram, execution);
   const Execution refinement = execution.part(0.6, 0.8);
-  Refiner refiner(diagram, triangulation, options.clearance * spacing, refinement);
+  Refiner refiner(
+    diagram, triangulation, options.clearance * spacing, topologyOf(polarBalls, keep), refinement);
   refiner.run(pruned && options.rule == CrustRule::Clearance ? options.maximumRounds : 0);
   execution.report(0.8);
   Crust crust = crustSurface(diagram);

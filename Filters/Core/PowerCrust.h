@@ -6,6 +6,7 @@
 #include "PolarBalls.h"
 #include "Types.h"
 
+#include <optional>
 #include <vector>
 
 namespace medial
@@ -15,7 +16,7 @@ enum class CrustRule
 {
   Clearance = 0,    ///< outer balls are added until no free vertex of the crust is farther from the
                     ///< union of the kept balls than the clearance; none where no ball was removed,
-                    ///< and none that would change the topology
+                    ///< and none that would take the topology away from the one wanted
   InnerOnly = 1,    ///< nothing (paper 5)
   InnerAndOuter = 2 ///< the outer balls of their samples go as well (paper 5, sharp corners)
 };
@@ -25,6 +26,9 @@ struct CrustOptions
   CrustRule rule = CrustRule::Clearance;
   double clearance = 1; ///< in sample spacings
   int maximumRounds = 10;
+  std::optional<Betti>
+    topology; ///< that the solid should have, as of the pruned axis; without: that
+              ///< of the power shape of the kept balls
 };
 
 /// The power crust: the faces between inner and outer cells of the balls' power diagram (paper 5,
@@ -46,7 +50,7 @@ struct Crust
   bool manifold;           ///< and the faces at every point form one fan
   double volume;           ///< enclosed, cube of the samples' unit
   Index insertedBalls;     ///< by CrustRule::Clearance
-  Index refusedBalls;      ///< not inserted, since the topology would have changed
+  Index refusedBalls;      ///< not inserted: the topology would have changed
   int rounds;              ///< of insertion made
   double maximumClearance; ///< largest distance of a point that is no sample to the union of the
                            ///< kept balls, in sample spacings; 0 where none is outside

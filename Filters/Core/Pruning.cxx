@@ -84,6 +84,7 @@ private:
   void iterate(const PruneIteration& iteration)
   {
     std::fill(this->inherited.begin(), this->inherited.end(), 0);
+    this->countsTogether = this->options.topology != Topology::None && iteration.passes != 1;
     Round round = this->newRound(iteration.measure);
     PruneRow row = this->newRow(round);
     row.measure = iteration.measure;
@@ -132,9 +133,9 @@ private:
     Index refused = 0;
     for (const Index part : parts)
     {
-      if (round.gone[part])
+      if (round.gone[part] || round.significance[part] > iteration.threshold)
       {
-        continue; // with a branch
+        continue; // gone with a branch, or it has inherited
       }
       std::vector<Index> unit{ part };
       if (!this->mayGo(round, unit))
@@ -193,12 +194,15 @@ private:
       round.gone[part] = 1;
     }
     row.removed += count(parts);
-    this->bequeath(round, parts);
+    if (this->countsTogether)
+    {
+      this->bequeath(round, parts);
+    }
   }
 
-  /// The most significant part that removed ones were attached to takes over their significance in
-  /// the passes that follow: what goes at one place in one iteration counts together.
-  void bequeath(const Round& round, const std::vector<Index>& parts)
+  /// The most significant part that removed ones were attached to takes over their significance for
+  /// the rest of the iteration: what goes at one place counts together.
+  void bequeath(Round& round, const std::vector<Index>& parts)
   {
     double sum = 0;
     Index heir = None;
@@ -216,6 +220,7 @@ private:
     }
     if (heir != None)
     {
+      round.significance[heir] += sum;
       this->inherited[round.partition.cells[heir][0]] += sum;
     }
   }
@@ -361,6 +366,7 @@ private:
   void removeByHand()
   {
     std::fill(this->inherited.begin(), this->inherited.end(), 0);
+    this->countsTogether = false;
     Round round = this->newRound(Measure::TriangleCount);
     PruneRow row = this->newRow(round);
     row.byHand = true;
@@ -503,6 +509,7 @@ private:
   LivingCells living;
   double totalVolume;
   std::vector<Index> refusedCells; ///< named by hand, kept for topology
+  bool countsTogether = false;     ///< what one part loses after the other
   std::vector<double> inherited;   ///< by cell, in the measure of the iteration
   Pruned result;
 };

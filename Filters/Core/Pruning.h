@@ -28,8 +28,9 @@ enum class Topology
 /// One round of decompose - measure - prune.
 ///
 /// Unlike the paper, passes are repeated. So that a long feature isn't eaten up from its end by small
-/// pieces, a part takes over the significance of what was removed from it in earlier passes: what goes
-/// at one place in one iteration has at most the threshold in sum.
+/// pieces, a part takes over the significance of what was removed from it before: what goes at one
+/// place in one iteration has at most the threshold in sum. With one pass, or without topology, each
+/// part counts alone, as in the paper.
 struct PruneIteration
 {
   Measure measure = Measure::TriangleCount;
@@ -54,10 +55,10 @@ struct PruneOptions
 /// Why a part is still there.
 enum class KeepReason : signed char
 {
-  AboveThreshold = 0,
-  Topology = 1,   ///< its removal would change the Betti numbers
-  InnerLevel = 2, ///< not at the border
-  Isolated = 3    ///< a whole component of the axis
+  AboveThreshold = 0, ///< together with what went from it in the last iteration
+  Topology = 1,       ///< its removal would change the Betti numbers
+  InnerLevel = 2,     ///< not at the border
+  Isolated = 3        ///< a whole component of the axis
 };
 
 /// What one iteration did. The removal by hand, if any, is the last row.

@@ -11,8 +11,9 @@
 
 namespace medial
 {
-/// The singular points ("sites"): where three inner polar balls meet on the boundary of their union,
-/// each once (paper 2.1 step 2, 3), and every sample that lies on an inner ball.
+/// The singular points ("sites"): where three inner polar balls meet on the boundary of their union, as
+/// far as that is nearer (in power) to inner than to outer balls, each once (paper 2.1 step 2, 3); and
+/// every sample that lies on an inner ball.
 struct SingularPoints
 {
   std::vector<Point> positions;
