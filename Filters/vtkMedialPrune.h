@@ -7,7 +7,8 @@
  * the axis into parts and removes the parts of level 1 whose significance is at most a threshold,
  * least significant first. By default the removal never changes the Betti numbers: a part may go if
  * and only if it collapses, by free faces, onto its contact with the rest. Passes are repeated; a
- * part takes over the significance of what was removed from it in earlier passes.
+ * part takes over the significance of what was removed from it before, so that a long feature isn't
+ * eaten up from its end. With one pass, or without topology, each part counts alone.
  *
  * Input: vtkPolyData, the output of vtkMedialAxis, vtkMedialPartDecomposition or vtkMedialPrune.
  *
@@ -16,7 +17,8 @@
  * `NumberOfParts`, `BettiAxis`, `Certificate` (field data) are those of the living cells, see
  * vtkMedialPartDecomposition and vtkMedialAxis. New cell data
  *  - `KeepReason` (unsigned char): why the cell's part is still there. 0 its significance is above
- *    the last threshold, 1 topology, 2 not of level 1, 3 a whole component of the axis.
+ *    the last threshold, together with what went from it; 1 topology; 2 not of level 1; 3 a whole
+ *    component of the axis.
  *
  * Output 1: vtkTable, one row for each iteration, and one more where something was removed by hand:
  * `Iteration` (vtkIdType, from 0), `ByHand` (unsigned char), `Measure` (int; 0 triangle count, 1

@@ -73,7 +73,7 @@ public:
   /**
    * What becomes of the place of removed inner balls. CLEARANCE, the default: outer balls are added
    * until no point of the crust but samples is farther from the kept balls than the clearance; none
-   * that would change the topology.
+   * that would take the topology away from that of the axis.
    * INNER_ONLY: nothing (paper 5). INNER_AND_OUTER: the outer balls of their samples go as well
    * (paper 5, for sharp corners).
    */
