@@ -435,8 +435,8 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   findVertices(
     pruned ? triangulation.tetrahedra() : renumbered(polarBalls, chosen.ids), diagram, execution);
   const Execution refinement = execution.part(0.6, 0.8);
-  Refiner refiner(
-    diagram, triangulation, options.clearance * spacing, topologyOf(polarBalls, keep), refinement);
+  Refiner refiner(diagram, triangulation, options.clearance * spacing,
+    options.topology ? *options.topology : topologyOf(polarBalls, keep), refinement);
   refiner.run(pruned && options.rule == CrustRule::Clearance ? options.maximumRounds : 0);
   execution.report(0.8);
   Crust crust = crustSurface(diagram);
