@@ -339,6 +339,18 @@ TEST(PowerCrust, OfATorusCutOpenHasNoTunnel)
   EXPECT_EQ(crust.betti, (Betti{ 1, 0, 0 }));
 }
 
+TEST(PowerCrust, HasTheTopologyOfThePrunedAxis)
+{
+  forEachShape([](Pipeline& p) {
+    CrustOptions options;
+    options.topology = p.pruned().axis.betti;
+    const Crust crust = medial::powerCrust(p.balls(), p.keptAfterPruning(), options);
+    EXPECT_EQ(crust.betti, p.pruned().axis.betti);
+    EXPECT_EQ(crust.refusedBalls, 0);
+    EXPECT_TRUE(validators::isTwoManifold(crust.faces));
+  });
+}
+
 TEST(PowerCrust, ScalesWithTheSamplesToTheLastBit)
 {
   const std::vector<Point> samples = shapes::twoHolePlate(0.12).samples;
