@@ -27,33 +27,33 @@ namespace
 {
 using filterTest::boxPipeline;
 
-/// Colours that tell neighbouring numbers apart.
-vtkSmartPointer<vtkLookupTable> distinctColors()
+/// Cells in the colours of their levels: closed sheets grey, the border blue, inner parts orange.
+vtkSmartPointer<vtkActor> byLevel(vtkAlgorithm* filter)
 {
-  auto colors = vtkSmartPointer<vtkLookupTable>::New();
-  colors->SetNumberOfTableValues(17);
-  for (vtkIdType i = 0; i < 17; ++i)
-  {
-    const double turn = static_cast<double>(i * 5 % 17) / 17;
-    colors->SetTableValue(i, 0.5 + 0.5 * std::cos(6.28 * turn),
-      0.5 + 0.5 * std::cos(6.28 * turn + 2), 0.5 + 0.5 * std::cos(6.28 * turn + 4));
-  }
-  colors->SetIndexedLookup(0);
-  return colors;
-}
-
-/// Cells in the colours of their parts.
-vtkSmartPointer<vtkActor> byPart(vtkAlgorithm* filter)
-{
+  vtkNew<vtkLookupTable> colors;
+  colors->SetNumberOfTableValues(3);
+  colors->SetTableValue(0, 0.7, 0.7, 0.7);
+  colors->SetTableValue(1, 0.3, 0.6, 0.9);
+  colors->SetTableValue(2, 1, 0.6, 0.2);
   vtkNew<vtkDataSetMapper> mapper;
   mapper->SetInputConnection(filter->GetOutputPort());
   mapper->SetScalarModeToUseCellFieldData();
-  mapper->SelectColorArray("PartId");
-  vtkSmartPointer<vtkLookupTable> colors = distinctColors();
+  mapper->SelectColorArray("PartLevel");
   mapper->SetLookupTable(colors);
-  mapper->SetScalarRange(0, 16);
+  mapper->SetScalarRange(0, 2);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> inOneColor(vtkAlgorithmOutput* output, double r, double g, double b)
+{
+  vtkNew<vtkDataSetMapper> mapper;
+  mapper->SetInputConnection(output);
+  mapper->ScalarVisibilityOff();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(r, g, b);
   return actor;
 }
 
@@ -96,19 +96,32 @@ vtkSmartPointer<vtkActor> axisByRadius()
 
 vtkSmartPointer<vtkActor> crust()
 {
-  vtkSmartPointer<vtkActor> actor = byPart(boxPipeline().crust);
+  vtkSmartPointer<vtkActor> actor = inOneColor(boxPipeline().crust->GetOutputPort(), 0.9, 0.8, 0.6);
   actor->GetProperty()->SetInterpolationToFlat();
   actor->GetProperty()->BackfaceCullingOn(); // wrongly oriented faces would be holes
   return actor;
 }
 
-vtkSmartPointer<vtkActor> picture(const std::string& stage)
+std::vector<vtkSmartPointer<vtkActor>> picture(const std::string& stage)
 {
-  return stage == "vtkPolarBalls"           ? innerBalls()
-    : stage == "vtkMedialAxis"              ? axisByRadius()
-    : stage == "vtkMedialPartDecomposition" ? byPart(boxPipeline().parts)
-    : stage == "vtkMedialPrune"             ? byPart(boxPipeline().prune)
-                                            : crust();
+  if (stage == "vtkPolarBalls")
+  {
+    return { innerBalls() };
+  }
+  if (stage == "vtkMedialAxis")
+  {
+    return { axisByRadius() };
+  }
+  if (stage == "vtkMedialPartDecomposition")
+  {
+    return { byLevel(boxPipeline().parts) };
+  }
+  if (stage == "vtkMedialPrune")
+  {
+    return { byLevel(boxPipeline().prune),
+      inOneColor(boxPipeline().prune->GetOutputPort(2), 0.9, 0.1, 0.1) };
+  }
+  return { crust() };
 }
 }
 
@@ -127,10 +140,12 @@ int main(int argc, char* argv[])
   const std::string stage = argv[1];
   boxPipeline();
   vtkNew<vtkRenderer> renderer;
-  vtkSmartPointer<vtkActor> actor = picture(stage);
-  actor->GetProperty()->SetAmbient(0.35); // the axis shows its dark sides as well
-  actor->GetProperty()->SetDiffuse(0.65);
-  renderer->AddActor(actor);
+  for (vtkActor* actor : picture(stage))
+  {
+    actor->GetProperty()->SetAmbient(0.35); // the axis shows its dark sides as well
+    actor->GetProperty()->SetDiffuse(0.65);
+    renderer->AddActor(actor);
+  }
   renderer->SetBackground(1, 1, 1);
   vtkNew<vtkRenderWindow> window;
   window->SetMultiSamples(0);
@@ -142,7 +157,7 @@ int main(int argc, char* argv[])
   renderer->GetActiveCamera()->SetFocalPoint(0, 0, 0);
   renderer->GetActiveCamera()->SetViewUp(0, 0, 1);
   renderer->ResetCamera();
-  renderer->GetActiveCamera()->Zoom(1.4);
+  renderer->GetActiveCamera()->Zoom(1.2);
   window->Render();
 
   const double allowedDifference = 10; // VTK's measure; another driver's edges stay far below it
