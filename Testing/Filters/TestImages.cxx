@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Draws what one filter makes of the box and compares it with Baseline/. Without a display there is
 // nothing to draw on, and VTK would end the process: exit 77 then, which is "skipped" for CTest.
+// After a wanted change look at the new picture, in Testing/Filters of the build folder, and copy it.
 #include "FilterTest.h"
 
 #include <vtkActor.h>
