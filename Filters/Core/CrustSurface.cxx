@@ -2,6 +2,7 @@
 #include "CrustSurface.h"
 
 #include "DisjointSets.h"
+#include "Errors.h"
 #include "Frame.h"
 #include "Polygons.h"
 #include "Predicates.h"
@@ -297,6 +298,13 @@ void findVertices(Tetrahedra dual, PowerDiagram& diagram, const Execution& execu
                       diagram.balls[cell[3]] },
           constructionError);
   });
+  const auto isFinite = [](const Point& p) { return p.allFinite(); };
+  if (!std::all_of(diagram.vertices.begin(), diagram.vertices.end(), isFinite))
+  {
+    throw InvalidInput(
+      "the coordinates of the balls are too coarse, a tetrahedron of them is flat: "
+      "move the samples nearer to the origin before Polar Balls");
+  }
 }
 
 Crust crustSurface(const PowerDiagram& diagram)

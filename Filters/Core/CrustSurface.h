@@ -27,6 +27,7 @@ struct PowerDiagram
 
 /// Fills dual, sampleOfVertex and vertices: a power vertex is the sample that its four balls share;
 /// only where they share none it is computed.
+/// @throw InvalidInput  a cell is flat
 void findVertices(Tetrahedra dual, PowerDiagram& diagram, const Execution& execution = {});
 
 /// Triangles between inner and outer power cells, oriented outwards, in the diagram's frame.

@@ -380,7 +380,8 @@ void describeSamples(const DistinctSamples& distinct,
   }
 }
 
-/// Mean length of the shortest edge at a sample: its nearest neighbour is a Delaunay neighbour.
+/// Mean length of the shortest edge at a sample: its nearest neighbour is a Delaunay neighbour. Samples
+/// that are the same to rounding don't count.
 double meanSpacing(const Spheres& spheres)
 {
   std::vector<double> shortest(spheres.sampleCount, std::numeric_limits<double>::infinity());
@@ -392,8 +393,8 @@ double meanSpacing(const Spheres& spheres)
       if (a < spheres.sampleCount && b < spheres.sampleCount)
       {
         const double length = (spheres.points[a] - spheres.points[b]).norm();
-        shortest[a] = std::min(shortest[a], length);
-        shortest[b] = std::min(shortest[b], length);
+        shortest[a] = length < coincident ? shortest[a] : std::min(shortest[a], length);
+        shortest[b] = length < coincident ? shortest[b] : std::min(shortest[b], length);
       }
     }
   }

@@ -187,9 +187,14 @@ std::vector<Ball> fillingBalls(
   }
   std::stable_sort(
     order.begin(), order.end(), [&](Index a, Index b) { return clearances[a] > clearances[b]; });
+  constexpr std::size_t roundLimit = 5000; // each is compared with all of its round
   std::vector<Ball> result;
   for (const Index c : order)
   {
+    if (result.size() == roundLimit)
+    {
+      break;
+    }
     const Point& center = diagram.vertices[c];
     if (std::none_of(result.begin(), result.end(),
           [&](const Ball& ball) { return (center - ball.center).norm() < ball.radius; }))

@@ -68,7 +68,11 @@ Point exactPowerCenter(const std::array<Ball, 4>& balls)
 {
   const PowerSystem<Exact> system(balls);
   const Exact det = system.determinant(3, false)[0];
-  Point result;
+  Point result = Point::Constant(std::numeric_limits<double>::quiet_NaN());
+  if (det == 0)
+  {
+    return result;
+  }
   for (int k = 0; k < 3; ++k)
   {
     result[k] =

@@ -14,10 +14,10 @@ int orientation(const Point& a, const Point& b, const Point& c, const Point& d);
 ///
 /// Constructed in doubles; where their rounding could move it by more than `tolerance` (flat
 /// tetrahedra), in longer numbers, and at last in exact rationals, rounded once.
-/// @param balls  centres not in one plane (exactly)
+/// @return  not finite where the centres are in one plane (exactly)
 Point powerCenter(const std::array<Ball, 4>& balls, double tolerance);
 
-/// The ball through four points that are not in one plane (exactly), as `powerCenter`.
+/// The ball through four points, as `powerCenter`.
 Ball circumsphere(const std::array<Point, 4>& points, double tolerance);
 }
 
