@@ -122,6 +122,46 @@ inline Drawing cycleWithLoop()
   return drawing;
 }
 
+/// Paper Figure 5: the exact axis of a box of 6 x 4 x 2. Each sheet is a fan about its centroid, cut
+/// into triangles; `fins` more triangles stand on the middle sheet, each a sliver of its own.
+inline Drawing boxAxis(int fins = 0)
+{
+  Drawing drawing;
+  const auto polygon = [&drawing](const std::vector<Point>& corners) {
+    Point centre = Point::Zero();
+    for (const Point& corner : corners)
+    {
+      centre += corner / static_cast<double>(corners.size());
+    }
+    const Index apex = drawing.point(centre.x(), centre.y(), centre.z());
+    for (std::size_t k = 0; k < corners.size(); ++k)
+    {
+      const Point &a = corners[k], &b = corners[(k + 1) % corners.size()];
+      const Point middle = (a + b) / 2;
+      const Index m = drawing.point(middle.x(), middle.y(), middle.z());
+      drawing.triangle(apex, drawing.point(a.x(), a.y(), a.z()), m);
+      drawing.triangle(apex, m, drawing.point(b.x(), b.y(), b.z()));
+    }
+  };
+  const Point inner[4] = { { -2, -1, 0 }, { 2, -1, 0 }, { 2, 1, 0 }, { -2, 1, 0 } };
+  const Point outer[4] = { { -3, -2, 1 }, { 3, -2, 1 }, { 3, 2, 1 }, { -3, 2, 1 } };
+  const Point down(0, 0, -2);
+  polygon({ inner[0], inner[1], inner[2], inner[3] });
+  for (int i = 0; i < 4; ++i)
+  {
+    const int j = (i + 1) % 4;
+    polygon({ inner[i], inner[j], outer[j], outer[i] });
+    polygon({ inner[i], inner[j], outer[j] + down, outer[i] + down });
+    polygon({ inner[i], outer[i], outer[i] + down });
+  }
+  for (int fin = 0; fin < fins; ++fin)
+  {
+    const Triangle foot = drawing.cells.triangles[fin % 8]; // of the middle sheet
+    drawing.triangle(foot[0], foot[1], drawing.point(0.1 * fin, 0, 5));
+  }
+  return drawing;
+}
+
 /// A random complex without flat triangles: corners in general position on a moment curve. Some
 /// of its triangles, edges and vertices lie in nothing else.
 inline Drawing randomComplex(unsigned seed)
