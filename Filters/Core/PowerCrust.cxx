@@ -205,16 +205,52 @@ std::vector<Ball> fillingBalls(
   return result;
 }
 
+/// The power vertices that pruning has not touched: their cells were there before.
+class UntouchedCells
+{
+public:
+  /// @param ids  the balls that are left, in the diagram's order
+  UntouchedCells(const std::vector<Tetrahedron>& before, const std::vector<Index>& left)
+    : cells(before)
+    , ids(left)
+  {
+    for (Tetrahedron& cell : this->cells)
+    {
+      std::sort(cell.begin(), cell.end());
+    }
+    std::sort(this->cells.begin(), this->cells.end());
+  }
+
+  bool contains(Tetrahedron cell) const
+  {
+    for (Index& ball : cell)
+    {
+      if (ball >= count(this->ids))
+      {
+        return false; // was inserted
+      }
+      ball = this->ids[ball];
+    }
+    std::sort(cell.begin(), cell.end());
+    return std::binary_search(this->cells.begin(), this->cells.end(), cell);
+  }
+
+private:
+  std::vector<Tetrahedron> cells;
+  const std::vector<Index>& ids;
+};
+
 /// Fills the space between the crust and the clearance from the inner balls with outer balls, as long
 /// as the topology stays (rule G).
 class Refiner
 {
 public:
   /// @param topology  the Betti numbers that the crust's solid should have
-  Refiner(PowerDiagram& power, RegularTriangulation& cells, double clearance, const Betti& topology,
-    const Execution& how)
+  Refiner(PowerDiagram& power, RegularTriangulation& cells, const UntouchedCells& kept,
+    double clearance, const Betti& topology, const Execution& how)
     : diagram(power)
     , triangulation(cells)
+    , untouched(kept)
     , limit(clearance)
     , execution(how)
     , wanted(topology)
@@ -226,7 +262,8 @@ public:
   {
     for (bool changed = true; changed && this->rounds < maximumRounds;)
     {
-      const std::vector<double> distances = clearances(this->diagram, this->limit, this->execution);
+      std::vector<double> distances = clearances(this->diagram, this->limit, this->execution);
+      this->forgetUntouched(distances);
       const std::vector<Ball> balls = fillingBalls(this->diagram, distances, this->limit);
       this->refused = 0;
       const Index before = this->inserted;
@@ -245,6 +282,17 @@ public:
   Index refused = 0;
 
 private:
+  void forgetUntouched(std::vector<double>& distances) const
+  {
+    for (Index c = 0; c < count(distances); ++c)
+    {
+      if (distances[c] > this->limit && this->untouched.contains(this->diagram.dual.cells[c]))
+      {
+        distances[c] = 0;
+      }
+    }
+  }
+
   Index defectOf(const Betti& betti) const
   {
     return std::abs(betti[0] - this->wanted[0]) + std::abs(betti[1] - this->wanted[1]) +
@@ -290,6 +338,7 @@ private:
 
   PowerDiagram& diagram;
   RegularTriangulation& triangulation;
+  const UntouchedCells& untouched;
   double limit;
   const Execution& execution;
   Betti wanted;
@@ -440,7 +489,8 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   findVertices(
     pruned ? triangulation.tetrahedra() : renumbered(polarBalls, chosen.ids), diagram, execution);
   const Execution refinement = execution.part(0.6, 0.8);
-  Refiner refiner(diagram, triangulation, options.clearance * spacing,
+  const UntouchedCells untouched(polarBalls.cells, chosen.ids);
+  Refiner refiner(diagram, triangulation, untouched, options.clearance * spacing,
     options.topology ? *options.topology : topologyOf(polarBalls, keep), refinement);
   refiner.run(pruned && options.rule == CrustRule::Clearance ? options.maximumRounds : 0);
   execution.report(0.8);

@@ -14,9 +14,10 @@ namespace medial
 /// What becomes of the place of removed inner balls.
 enum class CrustRule
 {
-  Clearance = 0,    ///< outer balls are added until no free vertex of the crust is farther from the
-                    ///< union of the kept balls than the clearance; none where no ball was removed,
-                    ///< and none that would take the topology away from the one wanted
+  Clearance =
+    0, ///< outer balls are added until no free vertex of the crust that pruning has touched
+       ///< is farther from the union of the kept balls than the clearance; none where
+       ///< that would take the topology away from the one wanted
   InnerOnly = 1,    ///< nothing (paper 5)
   InnerAndOuter = 2 ///< the outer balls of their samples go as well (paper 5, sharp corners)
 };
