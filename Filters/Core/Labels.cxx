@@ -32,20 +32,12 @@ struct Pair
   bool same;
 };
 
-/// Cosine of the angle at which the spheres intersect: 1 for the same sphere, 0 where they are
-/// orthogonal, negative where they barely meet.
-double depth(const Ball& a, const Ball& b)
-{
-  return (a.radius * a.radius + b.radius * b.radius - (a.center - b.center).squaredNorm()) /
-    (2 * a.radius * b.radius);
-}
-
 std::vector<Pair> pairs(const LabelInput& input)
 {
   std::vector<Pair> result;
   for (const Edge& edge : edgeNumbers(input.cells, count(input.balls)).edges)
   {
-    const double strength = depth(input.balls[edge[0]], input.balls[edge[1]]);
+    const double strength = intersectionDepth(input.balls[edge[0]], input.balls[edge[1]]);
     if (strength > 0)
     {
       result.push_back({ edge[0], edge[1], static_cast<float>(std::min(strength, 1.0)), true });

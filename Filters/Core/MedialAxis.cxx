@@ -87,13 +87,6 @@ std::vector<std::vector<Index>> neighbors(
   return result;
 }
 
-/// How deeply two balls intersect: cosine of the angle between their spheres.
-double depth(const Ball& a, const Ball& b)
-{
-  return (a.radius * a.radius + b.radius * b.radius - (a.center - b.center).squaredNorm()) /
-    (2 * a.radius * b.radius);
-}
-
 /// Each ball on the axis owns itself; an inner ball off it belongs to the ball, among those that share
 /// a sample and have an owner, that it intersects most deeply. Those far off take several rounds.
 std::vector<Index> owners(const PolarBalls& polarBalls, const std::vector<Index>& ballOfPoint)
@@ -124,7 +117,7 @@ std::vector<Index> owners(const PolarBalls& polarBalls, const std::vector<Index>
       double deepest = -std::numeric_limits<double>::infinity();
       for (const Index n : around[i])
       {
-        const double d = depth(polarBalls.balls[todo[i]], polarBalls.balls[n]);
+        const double d = intersectionDepth(polarBalls.balls[todo[i]], polarBalls.balls[n]);
         if (before[todo[i]] == None && before[n] != None && d > deepest)
         {
           deepest = d;

@@ -26,6 +26,14 @@ struct Ball
   double radius;
 };
 
+/// How deeply two balls intersect, as the cosine of the angle at which their spheres do: 1 for the same
+/// sphere, 0 where they are orthogonal, negative where they barely meet.
+inline double intersectionDepth(const Ball& a, const Ball& b)
+{
+  return (a.radius * a.radius + b.radius * b.radius - (a.center - b.center).squaredNorm()) /
+    (2 * a.radius * b.radius);
+}
+
 /// Where a ball lies: outside or inside the solid, or hidden (it has no cell in the power diagram).
 enum class Side : signed char
 {
