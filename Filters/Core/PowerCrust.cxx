@@ -240,6 +240,14 @@ private:
   const std::vector<Index>& ids;
 };
 
+/// What filling the clearance came to.
+struct Filling
+{
+  int rounds = 0;
+  Index inserted = 0;
+  Index refused = 0;
+};
+
 /// Fills the space between the crust and the clearance from the inner balls with outer balls, as long
 /// as the topology stays (rule G).
 class Refiner
@@ -258,28 +266,25 @@ public:
   {
   }
 
-  void run(int maximumRounds)
+  Filling run(int maximumRounds)
   {
-    for (bool changed = true; changed && this->rounds < maximumRounds;)
+    for (bool changed = true; changed && this->filling.rounds < maximumRounds;)
     {
       std::vector<double> distances = clearances(this->diagram, this->limit, this->execution);
       this->forgetUntouched(distances);
       const std::vector<Ball> balls = fillingBalls(this->diagram, distances, this->limit);
-      this->refused = 0;
-      const Index before = this->inserted;
+      this->filling.refused = 0;
+      const Index before = this->filling.inserted;
       this->insert(balls);
-      changed = this->inserted > before;
+      changed = this->filling.inserted > before;
       if (changed)
       {
         findVertices(this->triangulation.tetrahedra(), this->diagram, this->execution);
-        ++this->rounds;
+        ++this->filling.rounds;
       }
     }
+    return this->filling;
   }
-
-  int rounds = 0;
-  Index inserted = 0;
-  Index refused = 0;
 
 private:
   void forgetUntouched(std::vector<double>& distances) const
@@ -317,7 +322,7 @@ private:
       this->defect = trialDefect;
       this->triangulation = std::move(trial);
       this->diagram.inner = std::move(inner);
-      this->inserted += count(balls);
+      this->filling.inserted += count(balls);
       for (const Ball& ball : balls)
       {
         this->diagram.balls.push_back(ball);
@@ -326,7 +331,7 @@ private:
     }
     else if (balls.size() == 1)
     {
-      ++this->refused;
+      ++this->filling.refused;
     }
     else
     {
@@ -343,6 +348,7 @@ private:
   const Execution& execution;
   Betti wanted;
   Index defect;
+  Filling filling;
 };
 
 /// Largest clearance of the points that are no samples. The ball behind a face bounds it, so the
@@ -488,18 +494,23 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   }
   findVertices(
     pruned ? triangulation.tetrahedra() : renumbered(polarBalls, chosen.ids), diagram, execution);
-  const Execution refinement = execution.part(0.6, 0.8);
-  const UntouchedCells untouched(polarBalls.cells, chosen.ids);
-  Refiner refiner(diagram, triangulation, untouched, options.clearance * spacing,
-    options.topology ? *options.topology : topologyOf(polarBalls, keep), refinement);
-  refiner.run(pruned && options.rule == CrustRule::Clearance ? options.maximumRounds : 0);
+  Filling filling;
+  if (pruned && options.rule == CrustRule::Clearance)
+  {
+    const Execution refinement = execution.part(0.6, 0.8);
+    const UntouchedCells untouched(polarBalls.cells, chosen.ids);
+    const Betti topology = options.topology ? *options.topology : topologyOf(polarBalls, keep);
+    filling =
+      Refiner(diagram, triangulation, untouched, options.clearance * spacing, topology, refinement)
+        .run(options.maximumRounds);
+  }
   execution.report(0.8);
   Crust crust = crustSurface(diagram);
   checkSurface(crust);
   measureSolid(crust);
-  crust.insertedBalls = refiner.inserted;
-  crust.refusedBalls = refiner.refused;
-  crust.rounds = refiner.rounds;
+  crust.insertedBalls = filling.inserted;
+  crust.refusedBalls = filling.refused;
+  crust.rounds = filling.rounds;
   crust.maximumClearance = largestClearance(diagram, crust, execution) / spacing;
   crust.volume /= frame.scale * frame.scale * frame.scale;
   for (std::size_t p = 0; p < crust.points.size(); ++p)
