@@ -68,6 +68,10 @@ constexpr const char* Bounds = "Bounds";
 constexpr const char* ContactId = "ContactId";
 constexpr const char* ContactPartOffsets = "ContactPartOffsets";
 constexpr const char* ContactParts = "ContactParts";
+// ... topology graph: points; PartId too
+constexpr const char* NodeId = "NodeId"; // and of its cells
+constexpr const char* Degree = "Degree";
+constexpr const char* OnLoop = "OnLoop";
 
 // vtkMedialPrune: cells
 constexpr const char* KeepReason = "KeepReason";

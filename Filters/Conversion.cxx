@@ -449,6 +449,50 @@ void write(const MedialParts& parts, vtkPolyData* axis, vtkPolyData* output, vtk
   addContacts(parts.contacts, contacts);
 }
 
+void write(const TopologyGraph& graph, const MedialParts& parts, vtkPolyData* output)
+{
+  const Index nodeCount = graph.partsOfNode.size(), partCount = graph.nodesOfPart.size();
+  std::vector<Point> places = graph.nodeCentroids;
+  std::vector<Index> node, part, degree;
+  std::vector<std::array<Index, 1>> vertices;
+  std::vector<Edge> lines;
+  for (Index i = 0; i < nodeCount; ++i)
+  {
+    node.push_back(i);
+    part.push_back(None);
+    degree.push_back(graph.partsOfNode[i].size());
+    vertices.push_back({ i });
+  }
+  for (Index i = 0; i < partCount; ++i)
+  {
+    places.push_back(parts.parts[i].centroid);
+    node.push_back(None);
+    part.push_back(i);
+    degree.push_back(graph.nodesOfPart[i].size());
+    vertices.push_back({ nodeCount + i });
+    for (const Index other : graph.nodesOfPart[i])
+    {
+      lines.push_back({ nodeCount + i, other });
+    }
+  }
+  output->SetPoints(points(places));
+  output->SetVerts(cellArray(vertices));
+  output->SetLines(cellArray(lines));
+  std::vector<char> onLoop = graph.nodeOnLoop;
+  onLoop.insert(onLoop.end(), graph.partOnLoop.begin(), graph.partOnLoop.end());
+  add<vtkIdTypeArray>(output->GetPointData(), names::NodeId, node);
+  add<vtkIdTypeArray>(output->GetPointData(), names::PartId, part);
+  add<vtkIdTypeArray>(output->GetPointData(), names::Degree, degree);
+  add<vtkUnsignedCharArray>(output->GetPointData(), names::OnLoop, onLoop);
+  for (const Edge& line : lines)
+  {
+    node.push_back(line[1]);
+    part.push_back(line[0] - nodeCount);
+  }
+  add<vtkIdTypeArray>(output->GetCellData(), names::NodeId, node);
+  add<vtkIdTypeArray>(output->GetCellData(), names::PartId, part);
+}
+
 std::vector<Index> readParts(vtkPolyData* axis)
 {
   const Arrays cells(axis->GetCellData(), "cell", TakeParts);

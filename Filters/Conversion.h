@@ -7,6 +7,7 @@
 #include "PolarBalls.h"
 #include "PowerCrust.h"
 #include "Pruning.h"
+#include "TopologyGraph.h"
 
 #include "vtkIndent.h"
 #include "vtkType.h"
@@ -42,6 +43,9 @@ MedialAxis readMedialAxis(vtkPolyData* input);
 /// The axis with its parts, the table of parts, and the contact curves.
 void write(const MedialParts& parts, vtkPolyData* axis, vtkPolyData* output, vtkTable* table,
   vtkPolyData* contacts);
+
+/// The topology graph of these parts as points and lines.
+void write(const TopologyGraph& graph, const MedialParts& parts, vtkPolyData* output);
 
 /// The part of each cell of an axis; no entries where it has no array of parts.
 std::vector<Index> readParts(vtkPolyData* axis);

@@ -12,7 +12,7 @@ vtkStandardNewMacro(vtkMedialPartDecomposition);
 
 vtkMedialPartDecomposition::vtkMedialPartDecomposition()
 {
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 int vtkMedialPartDecomposition::FillOutputPortInformation(int port, vtkInformation* info)
@@ -30,13 +30,16 @@ int vtkMedialPartDecomposition::RequestUpdateExtent(vtkInformation* vtkNotUsed(r
 int vtkMedialPartDecomposition::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* axis = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   vtkPolyData* contacts = vtkPolyData::GetData(outputVector, 2);
+  vtkPolyData* graph = vtkPolyData::GetData(outputVector, 3);
   return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
-    medial::write(medial::decompose(medial::readMedialAxis(axis), this->MaximumLevel, execution),
-      axis, output, table, contacts);
+    const medial::MedialAxis axis = medial::readMedialAxis(input);
+    const medial::MedialParts parts = medial::decompose(axis, this->MaximumLevel, execution);
+    medial::write(parts, input, output, table, contacts);
+    medial::write(medial::topologyGraph(axis, parts), parts, graph);
   });
 }
 

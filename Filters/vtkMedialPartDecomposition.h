@@ -30,6 +30,17 @@
  * touch along curve i, ascending, are `ContactParts`[`ContactPartOffsets`[i]] ...
  * `ContactParts`[`ContactPartOffsets`[i + 1] - 1] (vtkIdType).
  *
+ * Output 3: vtkPolyData, the topology graph, to be drawn over the axis. Its nodes are groups of
+ * contact curves connected through shared points, its edges the parts: each joins the nodes that it
+ * touches, which may be none, one, two or more. A point and a vertex for each node (mean of the
+ * points of its curves) and then for each part (centroid), and a line from the part to each of its
+ * nodes.
+ *  - `NodeId`, `PartId` (points and cells; vtkIdType): of a point one of the two, the other is -1; of
+ *    a line both.
+ *  - `Degree` (points; vtkIdType): the parts at a node; the nodes at a part.
+ *  - `OnLoop` (points; unsigned char): 1 on a closed walk that uses no node and no part twice. A loop
+ *    inside a single part is none of the graph's.
+ *
  * The field data of the input is passed on to output 0. An error (an array that is missing or does
  * not fit) leaves the outputs empty and sets the error code. Under MPI the piece 0 holds everything.
  *

@@ -122,6 +122,24 @@ inline Drawing cycleWithLoop()
   return drawing;
 }
 
+/// Paper Figure 9, as a topology graph: four lines with a sheet between each two, which no other
+/// touches. Sheets 0, 1, 2 run from the middle line outwards, 3, 4, 5 around them.
+inline Drawing fourNodesAndSixParts()
+{
+  Drawing drawing;
+  const Point up(0, 0, 1);
+  const Point middle(1, 1, 0), corners[3] = { { -2, -2, 0 }, { 7, -2, 0 }, { -2, 7, 0 } };
+  for (const Point& corner : corners)
+  {
+    drawing.sheet(middle, up, (corner - middle) / 3, 2, 3);
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    drawing.sheet(corners[i], up, (corners[(i + 1) % 3] - corners[i]) / 9, 2, 9);
+  }
+  return drawing;
+}
+
 /// Paper Figure 5: the exact axis of a box of 6 x 4 x 2. Each sheet is a fan about its centroid, cut
 /// into triangles; `fins` more triangles stand on the middle sheet, each a sliver of its own.
 inline Drawing boxAxis(int fins = 0)

@@ -24,6 +24,26 @@ struct AxisCells
   Index firstTriangle() const { return count(this->vertices) + count(this->edges); }
 };
 
+/// Calls body(point) for the corners of a cell.
+template <typename Body>
+void forPoints(const AxisCells& cells, Index cell, const Body& body)
+{
+  if (cell >= cells.firstTriangle())
+  {
+    const Triangle& corners = cells.triangles[cell - cells.firstTriangle()];
+    body(corners[0]), body(corners[1]), body(corners[2]);
+  }
+  else if (cell >= cells.firstEdge())
+  {
+    const Edge& ends = cells.edges[cell - cells.firstEdge()];
+    body(ends[0]), body(ends[1]);
+  }
+  else
+  {
+    body(cells.vertices[cell]);
+  }
+}
+
 /// The medial axis of the solid: the triangulated surface of the centres of its maximal balls.
 struct MedialAxis
 {

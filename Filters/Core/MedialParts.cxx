@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -14,27 +15,36 @@ namespace medial
 {
 namespace
 {
-/// The points of a cell.
-std::vector<Index> corners(const AxisCells& cells, Index cell)
-{
-  if (cell < cells.firstEdge())
-  {
-    return { cells.vertices[cell] };
-  }
-  if (cell < cells.firstTriangle())
-  {
-    const Edge& e = cells.edges[cell - cells.firstEdge()];
-    return { e[0], e[1] };
-  }
-  const Triangle& t = cells.triangles[cell - cells.firstTriangle()];
-  return { t[0], t[1], t[2] };
-}
-
 double triangleArea(const MedialAxis& axis, Index cell)
 {
   const Triangle& t = axis.cells.triangles[cell - axis.cells.firstTriangle()];
   const Point& a = axis.points[t[0]];
   return 0.5 * (axis.points[t[1]] - a).cross(axis.points[t[2]] - a).norm();
+}
+
+/// Of the cells of a part by length or area; where they have none, the mean of their corners.
+Point centroid(
+  const MedialAxis& axis, IndexLists::View cells, const std::vector<Index>& cornersOfCells)
+{
+  Point sum = Point::Zero(), mean = Point::Zero();
+  double size = 0;
+  const Index corners = count(cornersOfCells) / cells.size(); // of each
+  for (Index i = 0; i < cells.size(); ++i)
+  {
+    const Index* own = cornersOfCells.data() + i * corners;
+    Point middle = Point::Zero();
+    for (Index k = 0; k < corners; ++k)
+    {
+      middle += axis.points[own[k]] / corners;
+    }
+    const double weight = corners == 3 ? triangleArea(axis, cells[i])
+      : corners == 2                   ? (axis.points[own[1]] - axis.points[own[0]]).norm()
+                                       : 0;
+    sum += weight * middle;
+    mean += middle / cells.size();
+    size += weight;
+  }
+  return size > 0 ? Point(sum / size) : mean;
 }
 
 MedialPart measured(const MedialAxis& axis, const Partition& partition, Index part)
@@ -54,9 +64,9 @@ MedialPart measured(const MedialAxis& axis, const Partition& partition, Index pa
       ++result.triangles;
       result.area += triangleArea(axis, cell);
     }
-    const std::vector<Index> own = corners(axis.cells, cell);
-    points.insert(points.end(), own.begin(), own.end());
+    forPoints(axis.cells, cell, [&points](Index p) { points.push_back(p); });
   }
+  result.centroid = centroid(axis, partition.cells[part], points);
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   for (const Index p : points)
@@ -87,6 +97,13 @@ void addVolumes(const MedialAxis& axis, MedialParts& result)
   {
     part.relativeVolume = total > 0 ? part.volume / total : 0;
   }
+}
+
+std::vector<Index> withoutRepeats(IndexLists::View ascending)
+{
+  std::vector<Index> result;
+  std::unique_copy(ascending.begin(), ascending.end(), std::back_inserter(result));
+  return result;
 }
 
 /// The edges along which the axis is no surface, with the parts that meet there.
@@ -164,29 +181,47 @@ std::vector<ContactCurve> contactCurves(const AxisEdges& edges, const ContactEdg
   }
   return curves;
 }
+
+/// The points at which some part has no contact edge.
+std::vector<ContactCurve> contactPoints(const IndexLists& partsAt, const ContactEdges& contacts)
+{
+  std::vector<ContactCurve> result;
+  for (Index p = 0; p < partsAt.size(); ++p)
+  {
+    const std::vector<Index> parts = withoutRepeats(partsAt[p]);
+    if (parts.size() < 2)
+    {
+      continue;
+    }
+    std::vector<Index> joined;
+    const auto at = contacts.atPoint.find(p);
+    for (std::size_t i = 0; at != contacts.atPoint.end() && i < at->second.size(); ++i)
+    {
+      const std::vector<Index>& along = contacts.parts.at(at->second[i]);
+      joined.insert(joined.end(), along.begin(), along.end());
+    }
+    std::sort(joined.begin(), joined.end());
+    joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+    if (joined != parts)
+    {
+      result.push_back({ { p }, parts });
+    }
+  }
+  return result;
+}
 }
 
 std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell)
 {
-  std::vector<std::vector<Index>> votes(axis.points.size());
-  for (Index c = 0; c < axis.cells.size(); ++c)
-  {
-    if (partOfCell[c] != None)
-    {
-      for (const Index p : corners(axis.cells, c))
-      {
-        votes[p].push_back(partOfCell[c]);
-      }
-    }
-  }
+  const IndexLists votes = partsAtPoints(axis.cells, partOfCell, count(axis.points));
   std::vector<Index> part(axis.ballOwner.size(), None), most(axis.ballOwner.size(), 0);
-  for (Index p = 0; p < count(axis.points); ++p)
+  for (Index p = 0; p < votes.size(); ++p)
   {
     const Index ball = axis.ballOfPoint[p];
-    std::sort(votes[p].begin(), votes[p].end());
-    for (auto i = votes[p].begin(); i != votes[p].end() && ball != None;)
+    const Index* const last = votes[p].end();
+    for (const Index* i = votes[p].begin(); i != last && ball != None;)
     {
-      const auto end = std::upper_bound(i, votes[p].end(), *i);
+      const Index* const end = std::upper_bound(i, last, *i);
       if (end - i > most[ball])
       {
         most[ball] = static_cast<Index>(end - i);
@@ -224,7 +259,11 @@ MedialParts decompose(const MedialAxis& axis, int maximumLevel, const Execution&
   execution.forEach(
     count(result.parts), [&](Index part) { result.parts[part] = measured(axis, groups, part); });
   addVolumes(axis, result);
-  result.contacts = contactCurves(edges, contactEdges(axis, edges, groups));
+  const ContactEdges contacts = contactEdges(axis, edges, groups);
+  result.contacts = contactCurves(edges, contacts);
+  const std::vector<ContactCurve> atPoints =
+    contactPoints(partsAtPoints(axis.cells, result.partOfCell, count(axis.points)), contacts);
+  result.contacts.insert(result.contacts.end(), atPoints.begin(), atPoints.end());
   for (const ContactCurve& curve : result.contacts)
   {
     for (const Index part : curve.parts)

@@ -23,9 +23,11 @@ struct MedialPart
   double meanRadius, minimumRadius, maximumRadius; ///< over its points
   Index contacts;                                  ///< number of contact curves it has a share in
   Point lower, upper;                              ///< corners of its bounding box
+  Point centroid; ///< of its triangles by area, of its edges by length
 };
 
-/// An unbroken polyline shared by touching parts (paper 4.3).
+/// An unbroken polyline shared by touching parts (paper 4.3); or a point where a part touches others
+/// but has no share in a polyline.
 struct ContactCurve
 {
   std::vector<Index> points; ///< medial points in order; first == last where it is closed
@@ -34,9 +36,9 @@ struct ContactCurve
 
 struct MedialParts
 {
-  std::vector<Index> partOfCell; ///< numbering of AxisCells
-  std::vector<MedialPart> parts; ///< by lowest triangle; then edges; then vertices
-  std::vector<ContactCurve> contacts;
+  std::vector<Index> partOfCell;      ///< numbering of AxisCells
+  std::vector<MedialPart> parts;      ///< by lowest triangle; then edges; then vertices
+  std::vector<ContactCurve> contacts; ///< polylines by lowest edge, then points, ascending
 };
 
 /// The parts of an axis and their levels.

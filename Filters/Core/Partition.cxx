@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace medial
 {
@@ -232,6 +233,31 @@ Partition partition(
   Partition result;
   numberParts(cells, mask, sets, result);
   findLevels(cells, edges, around, maximumLevel, result);
+  return result;
+}
+IndexLists partsAtPoints(
+  const AxisCells& cells, const std::vector<Index>& partOfCell, Index pointCount)
+{
+  const auto forCorners = [&](const auto& body) {
+    for (Index c = 0; c < cells.size(); ++c)
+    {
+      if (partOfCell[c] != None)
+      {
+        forPoints(cells, c, [&](Index p) { body(p, partOfCell[c]); });
+      }
+    }
+  };
+  IndexLists result;
+  result.offsets.assign(pointCount + 1, 0);
+  forCorners([&](Index p, Index) { ++result.offsets[p + 1]; });
+  std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
+  result.items.resize(result.offsets.back());
+  std::vector<Index> next(result.offsets.begin(), result.offsets.end() - 1);
+  forCorners([&](Index p, Index part) { result.items[next[p]++] = part; });
+  for (Index p = 0; p < pointCount; ++p)
+  {
+    std::sort(result.items.data() + result.offsets[p], result.items.data() + result.offsets[p + 1]);
+  }
   return result;
 }
 }

@@ -24,6 +24,10 @@ struct Partition
 /// @param maximumLevel  parts above it keep level 0; 0 or less: no limit
 Partition partition(const AxisCells& cells, const AxisEdges& edges,
   const std::vector<char>& living = {}, int maximumLevel = 0);
+
+/// For each point the parts of the living cells there, ascending, once for each cell.
+IndexLists partsAtPoints(
+  const AxisCells& cells, const std::vector<Index>& partOfCell, Index pointCount);
 }
 
 #endif

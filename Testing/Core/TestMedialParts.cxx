@@ -404,6 +404,66 @@ TEST(MedialParts, OfAClosedContactComeBackToItsStart)
   EXPECT_EQ(parts.contacts[0].points.front(), parts.contacts[0].points.back());
 }
 
+TEST(MedialParts, MayTouchInAPoint)
+{
+  Drawing drawing;
+  drawing.sheet(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), 1, 1);
+  drawing.sheet(Point(1, 1, 0), Point(1, 0, 0), Point(0, 1, 0), 1, 1);
+  const Index a = drawing.point(1, 1, 0);
+  drawing.edge(a, drawing.point(1, 1, 3));
+  const MedialParts parts = medial::decompose(drawing.axis());
+  ASSERT_EQ(parts.contacts.size(), 1u);
+  EXPECT_EQ(parts.contacts[0].points, std::vector<Index>{ a });
+  EXPECT_EQ(parts.contacts[0].parts, (std::vector<Index>{ 0, 1, 2 }));
+}
+
+TEST(MedialParts, TouchWhereverTheyShareAPoint)
+{
+  for (unsigned seed = 0; seed < 50; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const MedialAxis axis = complexes::randomComplex(seed).axis();
+    const MedialParts parts = medial::decompose(axis);
+    std::map<Index, std::set<Index>> sharing, touching; // by point
+    for (Index part = 0; part < medial::count(parts.parts); ++part)
+    {
+      for (const Index p : pointsOfPart(axis, parts, part))
+      {
+        sharing[p].insert(part);
+      }
+    }
+    for (const ContactCurve& curve : parts.contacts)
+    {
+      for (const Index p : curve.points)
+      {
+        touching[p].insert(curve.parts.begin(), curve.parts.end());
+      }
+    }
+    for (const auto& [point, there] : sharing)
+    {
+      EXPECT_TRUE(there.size() < 2 || touching[point] == there) << "point " << point;
+    }
+  }
+}
+
+TEST(MedialParts, CentroidsAreThoseOfTheirArea)
+{
+  Drawing drawing;
+  drawing.sheet(Point(0, 0, 0), Point(1, 0, 0), Point(0, 3, 0), 1, 1);
+  drawing.sheet(
+    Point(1, 0, 0), Point(0.5, 0, 0), Point(0, 1, 0), 6, 3); // not joined: other corners
+  const Index a = drawing.point(9, 0, 0), b = drawing.point(9, 1, 0);
+  drawing.edge(a, b);
+  drawing.edge(b, drawing.point(9, 5, 0));
+  drawing.vertex(drawing.point(7, 7, 7));
+  const MedialParts parts = medial::decompose(drawing.axis());
+  ASSERT_EQ(parts.parts.size(), 4u);
+  EXPECT_TRUE(parts.parts[0].centroid.isApprox(Point(0.5, 1.5, 0)));
+  EXPECT_TRUE(parts.parts[1].centroid.isApprox(Point(2.5, 1.5, 0)));
+  EXPECT_TRUE(parts.parts[2].centroid.isApprox(Point(9, 2.5, 0)));
+  EXPECT_EQ(parts.parts[3].centroid, Point(7, 7, 7));
+}
+
 TEST(MedialParts, OfAClosedSheetHaveNoLevel)
 {
   const MedialParts parts = medial::decompose(closedSheet().axis());

@@ -146,6 +146,44 @@ TEST(MedialPartDecomposition, ListsThePartsOfEveryContact)
   EXPECT_EQ(shares, parts->GetNumberOfTuples());
 }
 
+TEST(MedialPartDecomposition, HasTheArraysOfItsHeaderOnTheGraph)
+{
+  auto* graph = vtkPolyData::SafeDownCast(boxPipeline().parts->GetOutputDataObject(3));
+  EXPECT_EQ(arrays(graph->GetPointData()),
+    (std::vector<std::string>{
+      "Degree idtype 1", "NodeId idtype 1", "OnLoop unsigned char 1", "PartId idtype 1" }));
+  EXPECT_EQ(arrays(graph->GetCellData()),
+    (std::vector<std::string>{ "NodeId idtype 1", "PartId idtype 1" }));
+}
+
+TEST(MedialPartDecomposition, DrawsTheGraphFromPartsToNodes)
+{
+  auto* graph = vtkPolyData::SafeDownCast(boxPipeline().parts->GetOutputDataObject(3));
+  vtkDataArray* nodes = graph->GetPointData()->GetArray("NodeId");
+  vtkDataArray* parts = graph->GetPointData()->GetArray("PartId");
+  vtkDataArray* degrees = graph->GetPointData()->GetArray("Degree");
+  const vtkIdType nodeCount = graph->GetNumberOfPoints() - partTable()->GetNumberOfRows();
+  ASSERT_GT(nodeCount, 0);
+  EXPECT_EQ(graph->GetNumberOfVerts(), graph->GetNumberOfPoints());
+  double degreesOfParts = 0;
+  for (vtkIdType i = 0; i < graph->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(nodes->GetComponent(i, 0), i < nodeCount ? i : -1);
+    EXPECT_EQ(parts->GetComponent(i, 0), i < nodeCount ? -1 : i - nodeCount);
+    degreesOfParts += i < nodeCount ? 0 : degrees->GetComponent(i, 0);
+  }
+  EXPECT_EQ(graph->GetNumberOfLines(), degreesOfParts);
+  for (vtkIdType line = graph->GetNumberOfVerts(); line < graph->GetNumberOfCells(); ++line)
+  {
+    vtkNew<vtkIdList> ends;
+    graph->GetCellPoints(line, ends);
+    EXPECT_EQ(graph->GetCellData()->GetArray("PartId")->GetComponent(line, 0),
+      parts->GetComponent(ends->GetId(0), 0));
+    EXPECT_EQ(graph->GetCellData()->GetArray("NodeId")->GetComponent(line, 0),
+      nodes->GetComponent(ends->GetId(1), 0));
+  }
+}
+
 TEST(MedialPartDecomposition, LimitsLevels)
 {
   vtkNew<vtkMedialPartDecomposition> filter;
