@@ -3,6 +3,8 @@
 
 #include "Errors.h"
 
+#include <vtkMedialPrune.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -49,21 +51,49 @@ bool parseCount(const std::string& text, int& number)
   return true;
 }
 
+/// How the thresholds of a measure are given.
+struct Word
+{
+  char letter;
+  int measure;
+  enum
+  {
+    Count,   ///< a whole number
+    Percent, ///< 0% ... 100% of the solid's volume
+    Length,  ///< in the unit of the samples, or with % of the diagonal
+    Number
+  } threshold;
+};
+
+constexpr Word words[] = {
+  { 't', vtkMedialPrune::TRIANGLE_COUNT, Word::Count },
+  { 'v', vtkMedialPrune::RELATIVE_VOLUME, Word::Percent },
+  { 'a', vtkMedialPrune::AREA, Word::Number },
+  { 'm', vtkMedialPrune::MEAN_RADIUS, Word::Length },
+  { 'r', vtkMedialPrune::MAXIMUM_RADIUS, Word::Length },
+};
+
 Iteration parseIteration(const std::string& word)
 {
-  double number = 0;
-  int triangles = 0;
-  if (word[0] == 't' && parseCount(word.substr(1), triangles))
+  const bool percent = word.back() == '%';
+  const std::string digits = word.substr(1, word.size() - (percent ? 2 : 1));
+  for (const Word& known : words)
   {
-    return { Iteration::TriangleCount, double(triangles), word };
-  }
-  if (word.size() > 2 && word[0] == 'v' && word.back() == '%' &&
-    parseNumber(word.substr(1, word.size() - 2), number) && number <= 100)
-  {
-    return { Iteration::RelativeVolume, number / 100, word };
+    double number = 0;
+    int whole = 0;
+    const bool fits = (known.threshold != Word::Count || parseCount(digits, whole)) &&
+      (known.threshold != Word::Percent || percent) &&
+      (known.threshold == Word::Percent || known.threshold == Word::Length || !percent);
+    if (word[0] == known.letter && fits && parseNumber(digits, number) &&
+      (known.threshold != Word::Percent || number <= 100))
+    {
+      return { known.measure, percent ? number / 100 : number,
+        percent && known.threshold == Word::Length, word };
+    }
   }
   throw UsageError("'" + word + "' in the schedule is not an iteration; write tN for parts of at " +
-    "most N triangles or vP% for parts of at most P per cent of the volume, as in \"t5 t5 v1%\"");
+    "most N triangles or vP% for parts of at most P per cent of the volume, as in \"t5 t5 v1%\"; " +
+    "--help lists the other measures");
 }
 
 std::vector<Iteration> parseSchedule(const std::string& schedule)
@@ -217,6 +247,11 @@ solid's closed boundary; cells are ignored.
   --schedule "W W ..."   the iterations of pruning, in order (default: "t5 t5 v1%"):
                            tN   removes parts of at most N triangles
                            vP%  removes parts of at most P per cent of the volume
+                           aX   ... of at most the area X
+                           mX   ... of at most the mean radius X
+                           rX   ... of at most the maximum radius X
+                         Lengths and areas are in the unit of the samples; a length with %
+                         is in per cent of the diagonal of the samples' bounding box.
                          An empty schedule prunes nothing.
   --topology collapse    removes a part only where tunnels, voids and pieces stay (default)
              none        removes it anyway

@@ -8,13 +8,9 @@
 /// One word of a schedule: an iteration of decompose - measure - prune.
 struct Iteration
 {
-  enum Measure
-  {
-    TriangleCount, ///< tN
-    RelativeVolume ///< vP%
-  };
-  Measure measure;
-  double threshold; ///< triangles, or the share of the object's volume, 0 ... 1
+  int measure; ///< a vtkMedialPrune::MeasureType
+  double threshold;
+  bool ofDiagonal;  ///< the threshold counts in diagonals of the samples' bounding box
   std::string word; ///< as given
 };
 

@@ -11,15 +11,13 @@
 
 namespace
 {
-void setSchedule(vtkMedialPrune* prune, const Arguments& arguments)
+void setSchedule(vtkMedialPrune* prune, double diagonal, const Arguments& arguments)
 {
   prune->ClearIterations();
   for (const Iteration& iteration : arguments.iterations)
   {
-    prune->AddIteration(iteration.measure == Iteration::TriangleCount
-        ? vtkMedialPrune::TRIANGLE_COUNT
-        : vtkMedialPrune::RELATIVE_VOLUME,
-      iteration.threshold);
+    prune->AddIteration(
+      iteration.measure, iteration.threshold * (iteration.ofDiagonal ? diagonal : 1));
   }
   prune->SetTopology(arguments.keepTopology ? vtkMedialPrune::COLLAPSE : vtkMedialPrune::NONE);
   for (int part : arguments.partsToRemove)
@@ -49,7 +47,7 @@ Pipeline::Pipeline(vtkPointSet* samples, const Arguments& arguments)
   this->axis->SetInputConnection(this->balls->GetOutputPort());
   this->parts->SetInputConnection(this->axis->GetOutputPort());
   this->prune->SetInputConnection(this->parts->GetOutputPort());
-  setSchedule(this->prune, arguments);
+  setSchedule(this->prune, samples->GetLength(), arguments);
   this->crustBefore->SetInputConnection(this->balls->GetOutputPort());
   this->crust->SetInputConnection(this->balls->GetOutputPort());
   this->crust->SetAxisConnection(this->prune->GetOutputPort());

@@ -8,6 +8,7 @@
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <cctype>
 #include <cmath>
 #include <initializer_list>
 #include <iomanip>
@@ -81,6 +82,14 @@ std::string bettiList(vtkDataObject* output, const char* array)
   return "[" + joined(bettiNumbers(output, array), ", ") + "]";
 }
 
+/// As a JSON string; like the names of our members it begins small.
+std::string measureName(int measure)
+{
+  std::string name = vtkMedialPrune::GetMeasureName(measure);
+  name[0] = static_cast<char>(std::tolower(name[0]));
+  return '"' + name + '"';
+}
+
 std::string iterations(vtkTable* history)
 {
   std::vector<std::string> rows;
@@ -90,12 +99,8 @@ std::string iterations(vtkTable* history)
       return history->GetValueByName(row, column).ToDouble();
     };
     const bool byHand = value("ByHand") != 0;
-    const bool byVolume = value("Measure") == vtkMedialPrune::RELATIVE_VOLUME;
     rows.push_back(inBraces({
-      { "measure",
-        byHand       ? "\"byHand\""
-          : byVolume ? "\"relativeVolume\""
-                     : "\"triangleCount\"" },
+      { "measure", byHand ? "\"byHand\"" : measureName(static_cast<int>(value("Measure"))) },
       { "threshold", byHand ? "null" : number(value("Threshold")) },
       { "partsBefore", number(value("PartsBefore")) },
       { "partsAfter", number(value("PartsAfter")) },

@@ -111,7 +111,8 @@ class SimplifyShape(unittest.TestCase):
         points = self.write_xyz(ellipsoid(300))
         self.assert_fails(1, ["no input"])
         self.assert_fails(1, ["'x3'", "tN", "vP%"], points, "--schedule", "t5 x3")
-        for word in ("v0.01", "v%", "v101%", "t", "t-1", "t1.5", "v1e1%", "v1%%"):
+        for word in ("v0.01", "v%", "v101%", "t", "t-1", "t1.5", "v1e1%", "v1%%",
+                     "t5%", "a1%", "r", "r-1"):
             self.assert_fails(1, ["'" + word + "'", "tN", "vP%"], points, "--schedule", word)
         self.assert_fails(1, ["--topology", "'graph'"], points, "--topology", "graph")
         self.assert_fails(1, ["--threads", "'0'"], points, "--threads=0")

@@ -603,8 +603,7 @@ void print(std::ostream& stream, vtkIndent indent, const std::vector<PruneIterat
 {
   for (const PruneIteration& iteration : schedule)
   {
-    stream << indent
-           << (iteration.measure == Measure::TriangleCount ? "triangle count" : "relative volume")
+    stream << indent << findMeasure(static_cast<int>(iteration.measure))->name
            << " <= " << iteration.threshold << ", passes: " << iteration.passes << "\n";
   }
 }

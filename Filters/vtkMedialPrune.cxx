@@ -13,6 +13,9 @@
 
 static_assert(vtkMedialPrune::TRIANGLE_COUNT == static_cast<int>(medial::Measure::TriangleCount) &&
     vtkMedialPrune::RELATIVE_VOLUME == static_cast<int>(medial::Measure::RelativeVolume) &&
+    vtkMedialPrune::AREA == static_cast<int>(medial::Measure::Area) &&
+    vtkMedialPrune::MEAN_RADIUS == static_cast<int>(medial::Measure::MeanRadius) &&
+    vtkMedialPrune::MAXIMUM_RADIUS == static_cast<int>(medial::Measure::MaximumRadius) &&
     vtkMedialPrune::COLLAPSE == static_cast<int>(medial::Topology::Collapse) &&
     vtkMedialPrune::NONE == static_cast<int>(medial::Topology::None),
   "measures and the property Topology are cast to the core's enums");
@@ -51,16 +54,20 @@ void vtkMedialPrune::ClearIterations()
 
 void vtkMedialPrune::AddIteration(int measure, double threshold, int passes)
 {
-  if (measure != TRIANGLE_COUNT && measure != RELATIVE_VOLUME)
+  if (!GetMeasureName(measure))
   {
-    vtkErrorMacro("AddIteration: there is no measure " << measure << "; use TRIANGLE_COUNT ("
-                                                       << TRIANGLE_COUNT << ") or RELATIVE_VOLUME ("
-                                                       << RELATIVE_VOLUME << ")");
+    vtkErrorMacro("AddIteration: there is no measure " << measure << "; use one of MeasureType");
     return;
   }
   this->Lists->Schedule.push_back(
     { static_cast<medial::Measure>(measure), threshold, std::max(0, passes) });
   this->Modified();
+}
+
+const char* vtkMedialPrune::GetMeasureName(int measure)
+{
+  const medial::MeasureTraits* traits = medial::findMeasure(measure);
+  return traits ? traits->name : nullptr;
 }
 
 int vtkMedialPrune::GetNumberOfIterations() const

@@ -5,10 +5,10 @@
  *
  * Fourth filter of the medial axis pipeline. It works through a schedule of iterations. Each cuts
  * the axis into parts and removes the parts of level 1 whose significance is at most a threshold,
- * least significant first. By default the removal never changes the Betti numbers: a part may go if
+ * least significant first. What the measures are: README.md. By default the removal never changes the Betti numbers: a part may go if
  * and only if it collapses, by free faces, onto its contact with the rest. Passes are repeated; a
  * part takes over the significance of what was removed from it before, so that a long feature isn't
- * eaten up from its end. With one pass, or without topology, each part counts alone.
+ * eaten up from its end (not so for radii, which don't add up). With one pass, or without topology, each part counts alone.
  *
  * Input: vtkPolyData, the output of vtkMedialAxis, vtkMedialPartDecomposition or vtkMedialPrune.
  *
@@ -21,8 +21,8 @@
  *    component of the axis.
  *
  * Output 1: vtkTable, one row for each iteration, and one more where something was removed by hand:
- * `Iteration` (vtkIdType, from 0), `ByHand` (unsigned char), `Measure` (int; 0 triangle count, 1
- * relative volume), `Threshold` (double), `Passes` (int; made), `PartsBefore`, `PartsAfter`,
+ * `Iteration` (vtkIdType, from 0), `ByHand` (unsigned char), `Measure` (int; a
+ * MeasureType), `Threshold` (double), `Passes` (int; made), `PartsBefore`, `PartsAfter`,
  * `Candidates` (parts of level 1 with at most the threshold), `Removed` (parts), `Refused` (candidates
  * that topology kept; vtkIdType), `Betti` (vtkIdType, 3 components; of the axis after it),
  * `VolumeRemoved` (double, relative).
@@ -59,20 +59,29 @@ public:
   enum MeasureType
   {
     TRIANGLE_COUNT = 0,
-    RELATIVE_VOLUME = 1
+    RELATIVE_VOLUME = 1,
+    AREA = 3,
+    MEAN_RADIUS = 4,
+    MAXIMUM_RADIUS = 5
   };
 
   ///@{
   /**
-   * The schedule. An iteration removes parts whose measure (TRIANGLE_COUNT, or RELATIVE_VOLUME
-   * between 0 and 1) is at most the threshold, and repeats that `passes` times, or until nothing
-   * changes where passes is 0. Default: twice TRIANGLE_COUNT up to 5, then RELATIVE_VOLUME up to
+   * The schedule. An iteration removes parts whose measure is at most the threshold, and repeats that
+   * `passes` times, or until nothing changes where passes is 0. Thresholds are numbers of triangles
+   * (TRIANGLE_COUNT), shares of the solid's volume (RELATIVE_VOLUME, 0 ... 1), lengths in the unit of
+   * the samples (MEAN_RADIUS, MAXIMUM_RADIUS) or its square (AREA). Default: twice TRIANGLE_COUNT up to 5, then RELATIVE_VOLUME up to
    * 0.01 (t5 t5 v1%), passes 0. Clear it before adding your own iterations.
    */
   void ClearIterations();
   void AddIteration(int measure, double threshold, int passes = 0);
   int GetNumberOfIterations() const;
   ///@}
+
+  /**
+   * The name of a MeasureType: the column of the table of parts. Null where there is no such measure.
+   */
+  static const char* GetMeasureName(int measure);
 
   ///@{
   /**

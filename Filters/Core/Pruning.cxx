@@ -41,6 +41,7 @@ struct Round
 {
   Partition partition;
   std::vector<double> significance;
+  Measure measure;
   std::vector<char> gone;
   IndexLists neighbors; ///< parts that share a point
 };
@@ -54,6 +55,7 @@ public:
     , execution(how)
     , edges(axisEdges(input.cells))
     , living(input.cells, this->edges)
+    , measures(input)
     , totalVolume(std::accumulate(input.ballVolumes.begin(), input.ballVolumes.end(), 0.0))
     , inherited(input.cells.size(), 0)
   {
@@ -201,14 +203,15 @@ private:
   }
 
   /// The most significant part that removed ones were attached to takes over their significance for
-  /// the rest of the iteration: what goes at one place counts together.
+  /// the rest of the iteration: what goes at one place counts together. Where a measure doesn't add up
+  /// this changes nothing: what went had at most the threshold.
   void bequeath(Round& round, const std::vector<Index>& parts)
   {
     double sum = 0;
     Index heir = None;
     for (const Index part : parts)
     {
-      sum += round.significance[part];
+      sum = together(round.measure, sum, round.significance[part]);
       for (const Index neighbor : round.neighbors[part])
       {
         if (!round.gone[neighbor] &&
@@ -220,13 +223,14 @@ private:
     }
     if (heir != None)
     {
-      round.significance[heir] += sum;
-      this->inherited[round.partition.cells[heir][0]] += sum;
+      double& kept = this->inherited[round.partition.cells[heir][0]];
+      round.significance[heir] = together(round.measure, round.significance[heir], sum);
+      kept = together(round.measure, kept, sum);
     }
   }
 
-  /// The part and the smaller pieces that only it connects with the rest, if their significance sums
-  /// to at most the threshold; else empty.
+  /// The part and the smaller pieces that only it connects with the rest, if their significance is
+  /// together at most the threshold; else empty.
   std::vector<Index> branch(const Round& round, Index part, double threshold) const
   {
     std::vector<Index> unit{ part };
@@ -249,8 +253,8 @@ private:
       bool large = false;
       for (std::size_t i = 0; i < piece.size() && !large; ++i)
       {
-        pieceSum += round.significance[piece[i]];
-        large = sum + pieceSum > threshold || piece.size() > branchLimit;
+        pieceSum = together(round.measure, pieceSum, round.significance[piece[i]]);
+        large = together(round.measure, sum, pieceSum) > threshold || piece.size() > branchLimit;
         for (const Index next : round.neighbors[piece[i]])
         {
           const auto known = std::find(visited.begin(), visited.end(), next);
@@ -268,7 +272,7 @@ private:
       restIsLarge = restIsLarge || large;
       if (!large)
       {
-        sum += pieceSum;
+        sum = together(round.measure, sum, pieceSum);
         unit.insert(unit.end(), piece.begin(), piece.end());
       }
     }
@@ -278,33 +282,16 @@ private:
   Round newRound(Measure measure) const
   {
     Round round;
+    round.measure = measure;
     round.partition = partition(this->axis.cells, this->edges, this->living.mask());
-    const Index parts = count(round.partition.dimension);
-    round.gone.assign(parts, 0);
-    round.significance.assign(parts, 0);
-    if (measure == Measure::TriangleCount)
-    {
-      for (Index part = 0; part < parts; ++part)
-      {
-        round.significance[part] = round.partition.cells[part].size();
-      }
-    }
-    else
-    {
-      const std::vector<Index> partOf = partOfBall(this->axis, round.partition.partOfCell);
-      for (std::size_t b = 0; b < partOf.size(); ++b)
-      {
-        if (partOf[b] != None && this->totalVolume > 0)
-        {
-          round.significance[partOf[b]] += this->axis.ballVolumes[b] / this->totalVolume;
-        }
-      }
-    }
+    round.gone.assign(round.partition.dimension.size(), 0);
+    round.significance = this->measures.significance(measure, round.partition);
     for (Index cell = 0; cell < count(this->inherited); ++cell)
     {
-      if (round.partition.partOfCell[cell] != None)
+      if (round.partition.partOfCell[cell] != None && this->inherited[cell] > 0)
       {
-        round.significance[round.partition.partOfCell[cell]] += this->inherited[cell];
+        double& value = round.significance[round.partition.partOfCell[cell]];
+        value = together(measure, value, this->inherited[cell]);
       }
     }
     round.neighbors = this->touchingParts(round.partition);
@@ -507,6 +494,7 @@ private:
   const Execution& execution;
   AxisEdges edges;
   LivingCells living;
+  PartMeasures measures;
   double totalVolume;
   std::vector<Index> refusedCells; ///< named by hand, kept for topology
   bool countsTogether = false;     ///< what one part loses after the other

@@ -3,6 +3,7 @@
 #define medial_Pruning_h
 
 #include "Execution.h"
+#include "Measures.h"
 #include "MedialAxis.h"
 #include "MedialParts.h"
 #include "Types.h"
@@ -11,13 +12,6 @@
 
 namespace medial
 {
-/// What makes a part significant (paper 4.2).
-enum class Measure
-{
-  TriangleCount = 0,
-  RelativeVolume = 1 ///< share of the object's volume, 0 ... 1
-};
-
 /// Which removals are allowed.
 enum class Topology
 {
@@ -29,8 +23,8 @@ enum class Topology
 ///
 /// Unlike the paper, passes are repeated. So that a long feature isn't eaten up from its end by small
 /// pieces, a part takes over the significance of what was removed from it before: what goes at one
-/// place in one iteration has at most the threshold in sum. With one pass, or without topology, each
-/// part counts alone, as in the paper.
+/// place in one iteration has at most the threshold in sum, where the measure adds up. With one pass,
+/// or without topology, each part counts alone, as in the paper.
 struct PruneIteration
 {
   Measure measure = Measure::TriangleCount;
@@ -45,7 +39,7 @@ struct PruneOptions
   bool removeHair = true;     ///< in each pass chains of dangling edges with a free end and at most
                               ///< the threshold (an edge counts like a triangle) go first
   bool removeBranches = true; ///< a part goes with the smaller rest that it alone connects, where
-                              ///< their summed significance is at most the threshold
+                              ///< their significance together is at most the threshold
 
   /// Cells of the input. After the schedule, every living part that holds one of them goes, however
   /// significant (paper Figure 12).

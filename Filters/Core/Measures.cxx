@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Measures.h"
+
+#include "MedialParts.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <numeric>
+
+namespace medial
+{
+namespace
+{
+/// For each part fold(value, cell) over its cells, from 0.
+template <typename Fold>
+std::vector<double> overCells(const Partition& partition, const Fold& fold)
+{
+  std::vector<double> result(partition.cells.size(), 0);
+  for (Index part = 0; part < count(result); ++part)
+  {
+    for (const Index cell : partition.cells[part])
+    {
+      result[part] = fold(result[part], cell);
+    }
+  }
+  return result;
+}
+
+/// Calls body(part, point) for each point of each part once.
+template <typename Body>
+void forEachPoint(const MedialAxis& axis, const Partition& partition, const Body& body)
+{
+  std::vector<Index> last(axis.points.size(), None);
+  for (Index part = 0; part < partition.cells.size(); ++part)
+  {
+    for (const Index cell : partition.cells[part])
+    {
+      forPoints(axis.cells, cell, [&](Index p) {
+        if (last[p] != part)
+        {
+          last[p] = part;
+          body(part, p);
+        }
+      });
+    }
+  }
+}
+
+std::vector<double> meanRadii(const MedialAxis& axis, const Partition& partition)
+{
+  std::vector<double> sums(partition.cells.size(), 0), counts(sums.size(), 0);
+  forEachPoint(axis, partition, [&](Index part, Index p) {
+    sums[part] += axis.radii[p];
+    ++counts[part];
+  });
+  std::transform(sums.begin(), sums.end(), counts.begin(), sums.begin(), std::divides<>());
+  return sums;
+}
+}
+
+const std::vector<MeasureTraits>& allMeasures()
+{
+  static const std::vector<MeasureTraits> all{
+    { Measure::TriangleCount, "TriangleCount", "1", true },
+    { Measure::RelativeVolume, "RelativeVolume", "1", true },
+    { Measure::Area, "Area", "area", true },
+    { Measure::MeanRadius, "MeanRadius", "length", false },
+    { Measure::MaximumRadius, "MaximumRadius", "length", false },
+  };
+  return all;
+}
+
+const MeasureTraits* findMeasure(int number)
+{
+  const std::vector<MeasureTraits>& all = allMeasures();
+  const auto found = std::find_if(all.begin(), all.end(),
+    [number](const MeasureTraits& traits) { return static_cast<int>(traits.measure) == number; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+double together(Measure measure, double a, double b)
+{
+  return findMeasure(static_cast<int>(measure))->addsUp ? a + b : std::max(a, b);
+}
+
+PartMeasures::PartMeasures(const MedialAxis& theAxis)
+  : axis(theAxis)
+  , solidVolume(std::accumulate(theAxis.ballVolumes.begin(), theAxis.ballVolumes.end(), 0.0))
+{
+  for (const Triangle& t : this->axis.cells.triangles)
+  {
+    const Point& a = this->axis.points[t[0]];
+    this->areas.push_back(
+      0.5 * (this->axis.points[t[1]] - a).cross(this->axis.points[t[2]] - a).norm());
+  }
+}
+
+std::vector<double> PartMeasures::ofVolumes(const Partition& partition) const
+{
+  std::vector<double> result(partition.cells.size(), 0);
+  const std::vector<Index> partOf = partOfBall(this->axis, partition.partOfCell);
+  for (Index b = 0; b < count(partOf); ++b)
+  {
+    if (partOf[b] != None && this->solidVolume > 0)
+    {
+      result[partOf[b]] += this->axis.ballVolumes[b] / this->solidVolume;
+    }
+  }
+  return result;
+}
+
+std::vector<double> PartMeasures::significance(Measure measure, const Partition& partition) const
+{
+  const Index firstTriangle = this->axis.cells.firstTriangle();
+  switch (measure)
+  {
+    case Measure::TriangleCount:
+      return overCells(partition, [](double sum, Index) { return sum + 1; });
+    case Measure::RelativeVolume:
+      return this->ofVolumes(partition);
+    case Measure::Area:
+      return overCells(partition, [&](double sum, Index cell) {
+        return cell < firstTriangle ? sum : sum + this->areas[cell - firstTriangle];
+      });
+    case Measure::MeanRadius:
+      return meanRadii(this->axis, partition);
+    case Measure::MaximumRadius:
+      return overCells(partition, [&](double most, Index cell) {
+        forPoints(
+          this->axis.cells, cell, [&](Index p) { most = std::max(most, this->axis.radii[p]); });
+        return most;
+      });
+  }
+  return {};
+}
+}

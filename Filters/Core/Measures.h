@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_Measures_h
+#define medial_Measures_h
+
+#include "MedialAxis.h"
+#include "Partition.h"
+#include "Types.h"
+
+#include <vector>
+
+namespace medial
+{
+/// What makes a part significant. The first two are the paper's (4.2); the numbers are in files.
+enum class Measure
+{
+  TriangleCount = 0,  ///< number of triangles, lines or vertices
+  RelativeVolume = 1, ///< volume of its balls' Delaunay cells / volume of the solid, 0 ... 1
+  Area = 3,           ///< of its triangles; 0 for lines and vertices
+  MeanRadius = 4,     ///< of the maximal balls at its points, each point once
+  MaximumRadius = 5   ///< of the maximal balls at its points
+};
+
+/// How a measure behaves, and what it is called.
+struct MeasureTraits
+{
+  Measure measure;
+  const char* name; ///< column of the table of parts
+  const char* unit; ///< 1, length, area
+  bool addsUp;      ///< the value of several parts is the sum of theirs; else the largest
+};
+
+/// All measures in the order of their numbers.
+const std::vector<MeasureTraits>& allMeasures();
+
+/// @return  nullptr where there is no such measure
+const MeasureTraits* findMeasure(int number);
+
+/// The value of two parts together.
+double together(Measure measure, double a, double b);
+
+/// The significance of the parts of an axis, again and again for other partitions. What doesn't
+/// depend on the partition is found once.
+class PartMeasures
+{
+public:
+  /// @param axis  must outlive this
+  explicit PartMeasures(const MedialAxis& axis);
+
+  /// For each part of a partition of the axis' cells its value, never negative.
+  std::vector<double> significance(Measure measure, const Partition& partition) const;
+
+private:
+  std::vector<double> ofVolumes(const Partition& partition) const;
+
+  const MedialAxis& axis;
+  std::vector<double> areas; ///< of each triangle
+  double solidVolume;        ///< of all balls
+};
+}
+
+#endif
