@@ -71,6 +71,8 @@ constexpr Word words[] = {
   { 'a', vtkMedialPrune::AREA, Word::Number },
   { 'm', vtkMedialPrune::MEAN_RADIUS, Word::Length },
   { 'r', vtkMedialPrune::MAXIMUM_RADIUS, Word::Length },
+  { 'o', vtkMedialPrune::OBJECT_ANGLE, Word::Number },
+  { 'l', vtkMedialPrune::LAMBDA, Word::Length },
 };
 
 Iteration parseIteration(const std::string& word)
@@ -250,6 +252,8 @@ solid's closed boundary; cells are ignored.
                            aX   ... of at most the area X
                            mX   ... of at most the mean radius X
                            rX   ... of at most the maximum radius X
+                           oX   ... with a mean object angle of at most X degrees
+                           lX   ... with a lambda of at most X: where the surface is near
                          Lengths and areas are in the unit of the samples; a length with %
                          is in per cent of the diagonal of the samples' bounding box.
                          An empty schedule prunes nothing.

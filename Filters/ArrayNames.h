@@ -37,6 +37,8 @@ constexpr const char* MaximumInscribedSphereRadius = "MaximumInscribedSphereRadi
 // ... cells
 constexpr const char* PolygonId = "PolygonId";
 constexpr const char* SiteSamples = "SiteSamples";
+constexpr const char* ObjectAngle = "ObjectAngle";
+constexpr const char* Lambda = "Lambda";
 // ... field data, one entry for each ball
 constexpr const char* BallOwner = "BallOwner";
 constexpr const char* BallVolume = "BallVolume";

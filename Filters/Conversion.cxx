@@ -61,7 +61,8 @@ vtkSmartPointer<vtkCellArray> cellArray(const Cells& cells)
 
 constexpr const char* TakePolarBalls = "take the output of vtkPolarBalls as it is";
 constexpr const char* TakeMedialAxis =
-  "take the output of vtkMedialAxis or a later filter as it is";
+  "take the output of vtkMedialAxis or a later filter as it is (files of an earlier version lack "
+  "arrays: make them again)";
 constexpr const char* TakeParts = "take the output of vtkMedialPartDecomposition or vtkMedialPrune";
 
 std::vector<Point> readPoints(vtkPointSet* input)
@@ -401,6 +402,8 @@ void write(const MedialAxis& axis, vtkUnstructuredGrid* balls, vtkPolyData* outp
   vtkCellData* cells = output->GetCellData();
   add<vtkIdTypeArray>(cells, names::PolygonId, axis.polygonOfCell);
   cells->AddArray(tuples<vtkIdTypeArray>(names::SiteSamples, 2, axis.samplesOfCell));
+  add<vtkDoubleArray>(cells, names::ObjectAngle, axis.siteViews, &SiteView::objectAngle);
+  add<vtkDoubleArray>(cells, names::Lambda, axis.siteViews, &SiteView::lambda);
   vtkFieldData* field = output->GetFieldData();
   field->PassData(balls->GetFieldData());
   add<vtkIdTypeArray>(field, names::BallOwner, axis.ballOwner);
@@ -430,6 +433,12 @@ MedialAxis readMedialAxis(vtkPolyData* input)
   const Index cellCount = result.cells.size();
   result.polygonOfCell = cells.indices(names::PolygonId, cellCount, None, Largest);
   result.samplesOfCell = cells.indexTuples<2>(names::SiteSamples, cellCount, None, Largest);
+  const std::vector<double> angles = cells.reals(names::ObjectAngle, cellCount, 0);
+  const std::vector<double> lambdas = cells.reals(names::Lambda, cellCount, 0);
+  for (Index cell = 0; cell < cellCount; ++cell)
+  {
+    result.siteViews.push_back({ angles[cell], lambdas[cell] });
+  }
   result.powerShapeBetti = field.betti(names::BettiPowerShape);
   result.betti = field.betti(names::BettiAxis);
   result.certificate = field.flags(names::Certificate, 1).front() != 0;

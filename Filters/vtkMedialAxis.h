@@ -21,6 +21,12 @@
  *  - `PolygonId` (vtkIdType): triangles of one face have the same; -1 for lines and vertices.
  *  - `SiteSamples` (vtkIdType, 2 components): the two samples that the cell is equally far from; -1
  *    where such a point is no sample.
+ *  - `ObjectAngle` (double, 0 ... 180 degrees): the largest angle at which two of the cell's sites are
+ *    seen from its centroid. A triangle has two sites, a line three. Where they aren't known (with
+ *    the fallback, and small faces that were filled in) the points where the spheres of its corners
+ *    meet stand for them.
+ *  - `Lambda` (double, unit of the samples): the largest distance of two of the cell's sites; 0 where
+ *    the spheres don't meet.
  *
  * Field data, one entry for each ball (point of the input)
  *  - `BallOwner` (vtkIdType): itself where it is on the axis; for an inner ball off the axis the ball

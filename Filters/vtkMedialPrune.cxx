@@ -16,6 +16,8 @@ static_assert(vtkMedialPrune::TRIANGLE_COUNT == static_cast<int>(medial::Measure
     vtkMedialPrune::AREA == static_cast<int>(medial::Measure::Area) &&
     vtkMedialPrune::MEAN_RADIUS == static_cast<int>(medial::Measure::MeanRadius) &&
     vtkMedialPrune::MAXIMUM_RADIUS == static_cast<int>(medial::Measure::MaximumRadius) &&
+    vtkMedialPrune::OBJECT_ANGLE == static_cast<int>(medial::Measure::ObjectAngle) &&
+    vtkMedialPrune::LAMBDA == static_cast<int>(medial::Measure::Lambda) &&
     vtkMedialPrune::COLLAPSE == static_cast<int>(medial::Topology::Collapse) &&
     vtkMedialPrune::NONE == static_cast<int>(medial::Topology::None),
   "measures and the property Topology are cast to the core's enums");

@@ -62,7 +62,9 @@ public:
     RELATIVE_VOLUME = 1,
     AREA = 3,
     MEAN_RADIUS = 4,
-    MAXIMUM_RADIUS = 5
+    MAXIMUM_RADIUS = 5,
+    OBJECT_ANGLE = 6,
+    LAMBDA = 7
   };
 
   ///@{

@@ -9,7 +9,8 @@
 #include <random>
 #include <vector>
 
-/// Small complexes made by hand, as medial axes: every point is a ball of radius 1 and volume 1.
+/// Small complexes made by hand, as medial axes: every point is a ball of radius 1 and volume 1,
+/// every cell has its sites on the two sides.
 namespace complexes
 {
 using medial::AxisCells;
@@ -40,6 +41,7 @@ inline MedialAxis axisOf(std::vector<Point> points, AxisCells cells)
   axis.cells = std::move(cells);
   axis.polygonOfCell.assign(static_cast<std::size_t>(axis.cells.size()), None);
   axis.samplesOfCell.assign(static_cast<std::size_t>(axis.cells.size()), Edge{ None, None });
+  axis.siteViews.assign(static_cast<std::size_t>(axis.cells.size()), medial::SiteView{ 180, 2 });
   for (Index t = 0; t < medial::count(axis.cells.triangles); ++t)
   {
     axis.polygonOfCell[axis.cells.firstTriangle() + t] = t;

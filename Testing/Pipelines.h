@@ -277,7 +277,11 @@ inline std::string bytesOf(const medial::MedialAxis& a)
   Bytes bytes;
   bytes.add(a.points).add(a.radii).add(a.ballOfPoint);
   bytes.add(a.cells.vertices).add(a.cells.edges).add(a.cells.triangles);
-  bytes.add(a.polygonOfCell).add(a.samplesOfCell).add(a.ballOwner).add(a.ballVolumes);
+  bytes.add(a.polygonOfCell)
+    .add(a.samplesOfCell)
+    .add(a.siteViews)
+    .add(a.ballOwner)
+    .add(a.ballVolumes);
   bytes.add(a.powerShapeBetti).add(a.betti).add(a.certificate).add(a.fallback).add(a.kappa);
   return bytes.text;
 }
@@ -350,6 +354,10 @@ inline medial::MedialAxis inUnits(medial::MedialAxis a, double factor)
   a.points = shapes::scaled(a.points, factor);
   a.radii = times(a.radii, factor);
   a.ballVolumes = times(a.ballVolumes, factor * factor * factor);
+  for (medial::SiteView& view : a.siteViews)
+  {
+    view.lambda *= factor;
+  }
   return a;
 }
 

@@ -6,6 +6,7 @@
 #include "VertexMerging.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace medial
@@ -199,7 +200,8 @@ void appendEdgesWithoutFace(const SiteTriangulation& sites, const OpenSet& set, 
       }
       if (!inFace && vertices.ofCell[c] != vertices.ofCell[n])
       {
-        polygons.push_back({ { vertices.ofCell[c], vertices.ofCell[n] }, None });
+        polygons.push_back(
+          { { vertices.ofCell[c], vertices.ofCell[n] }, None, facet(sites.mesh.cells[c], i) });
       }
     }
   }
@@ -246,9 +248,41 @@ void addPoints(const PolarBalls& polarBalls, const SiteTriangulation& sites, con
   }
 }
 
+/// Where the sites are that a polygon is equally far from; none for one that was filled in.
+std::vector<Point> sitesOf(
+  const Polygon& polygon, const SiteTriangulation& sites, const std::vector<Point>& positions)
+{
+  std::vector<Point> result;
+  const auto add = [&](const auto& some) {
+    for (const Index site : some)
+    {
+      result.push_back(positions[site]);
+    }
+  };
+  if (polygon.siteEdge != None)
+  {
+    add(sites.edges.edges[polygon.siteEdge]);
+  }
+  else if (polygon.siteFacet[0] != None)
+  {
+    add(polygon.siteFacet);
+  }
+  return result;
+}
+
+SiteView viewOf(const std::vector<Ball>& corners, const std::vector<Point>& sites)
+{
+  Point centroid = Point::Zero();
+  for (const Ball& corner : corners)
+  {
+    centroid += corner.center / static_cast<double>(corners.size());
+  }
+  return sites.empty() ? siteView(corners) : siteView(centroid, sites);
+}
+
 /// Triangulates polygons into cells of the axis.
 void addTriangles(const std::vector<Polygon>& polygons, const SiteTriangulation& sites,
-  const std::vector<Index>& samples, EdgeSet& edges, MedialAxis& axis)
+  const SingularPoints& singularPoints, EdgeSet& edges, MedialAxis& axis)
 {
   std::set<Triangle> known;
   Index number = 0;
@@ -260,7 +294,11 @@ void addTriangles(const std::vector<Polygon>& polygons, const SiteTriangulation&
     }
     const Edge ends =
       polygon.siteEdge == None ? Edge{ None, None } : sites.edges.edges[polygon.siteEdge];
-    const auto sampleOf = [&](int k) { return ends[k] == None ? None : samples[ends[k]]; };
+    const auto sampleOf = [&](int k) {
+      return ends[k] == None ? None : singularPoints.samples[ends[k]];
+    };
+    const std::vector<Point> positions = sitesOf(polygon, sites, singularPoints.positions);
+    const Index firstOfPolygon = count(axis.cells.triangles);
     double radius = 0;
     for (const Index p : polygon.corners)
     {
@@ -282,24 +320,27 @@ void addTriangles(const std::vector<Polygon>& polygons, const SiteTriangulation&
       axis.radii.push_back(radius); // of the centroid that was added
       axis.ballOfPoint.push_back(None);
     }
+    for (Index t = firstOfPolygon; t < count(axis.cells.triangles); ++t)
+    {
+      axis.siteViews.push_back(viewOf(cornerBalls(axis, t), positions));
+    }
     ++number;
   }
 }
 
-/// Adds the edges that are sides of no triangle, each once, and the points that are in no cell.
-void addLowerCells(std::vector<Edge> dangling, const EdgeSet& sidesOfFaces, MedialAxis& axis)
+/// Adds the edges that are sides of no triangle and the points that are in no cell.
+/// @param dangling  edges, ascending, with their sites
+void addLowerCells(
+  const std::map<Edge, std::vector<Point>>& dangling, const EdgeSet& sidesOfFaces, MedialAxis& axis)
 {
-  for (Edge& edge : dangling)
-  {
-    std::sort(edge.begin(), edge.end());
-  }
-  std::sort(dangling.begin(), dangling.end());
-  dangling.erase(std::unique(dangling.begin(), dangling.end()), dangling.end());
-  for (const Edge& edge : dangling)
+  std::vector<SiteView> views;
+  const auto ballAt = [&axis](Index p) { return Ball{ axis.points[p], axis.radii[p] }; };
+  for (const auto& [edge, sites] : dangling)
   {
     if (!sidesOfFaces.contains(edge[0], edge[1]))
     {
       axis.cells.edges.push_back(edge);
+      views.push_back(viewOf({ ballAt(edge[0]), ballAt(edge[1]) }, sites));
     }
   }
   std::vector<char> used(axis.points.size(), 0);
@@ -318,9 +359,11 @@ void addLowerCells(std::vector<Edge> dangling, const EdgeSet& sidesOfFaces, Medi
   {
     if (!used[p])
     {
+      views.insert(views.begin() + count(axis.cells.vertices), siteView({ ballAt(p) }));
       axis.cells.vertices.push_back(p);
     }
   }
+  axis.siteViews.insert(axis.siteViews.begin(), views.begin(), views.end());
   const std::size_t lower = axis.cells.firstTriangle();
   axis.polygonOfCell.insert(axis.polygonOfCell.begin(), lower, None);
   axis.samplesOfCell.insert(axis.samplesOfCell.begin(), lower, Edge{ None, None });
@@ -345,7 +388,7 @@ MedialAxis dualComplex(const PolarBalls& polarBalls, const SingularPoints& singu
 
   MedialAxis axis{};
   addPoints(polarBalls, sites, frame, vertices, merging, polygons, axis);
-  std::vector<Edge> dangling;
+  std::map<Edge, std::vector<Point>> dangling;
   EdgeSet sides, all;
   for (const Polygon& polygon : polygons)
   {
@@ -361,11 +404,12 @@ MedialAxis dualComplex(const PolarBalls& polarBalls, const SingularPoints& singu
     }
     if (corners.size() == 2)
     {
-      dangling.push_back({ corners[0], corners[1] });
+      dangling.emplace(Edge{ std::min(corners[0], corners[1]), std::max(corners[0], corners[1]) },
+        sitesOf(polygon, sites, singularPoints.positions));
     }
   }
-  addTriangles(polygons, sites, singularPoints.samples, all, axis);
-  addLowerCells(std::move(dangling), sides, axis);
+  addTriangles(polygons, sites, singularPoints, all, axis);
+  addLowerCells(dangling, sides, axis);
   return axis;
 }
 }

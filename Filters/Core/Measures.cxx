@@ -67,6 +67,8 @@ const std::vector<MeasureTraits>& allMeasures()
     { Measure::Area, "Area", "area", true },
     { Measure::MeanRadius, "MeanRadius", "length", false },
     { Measure::MaximumRadius, "MaximumRadius", "length", false },
+    { Measure::ObjectAngle, "ObjectAngle", "degrees", false },
+    { Measure::Lambda, "Lambda", "length", false },
   };
   return all;
 }
@@ -88,11 +90,16 @@ PartMeasures::PartMeasures(const MedialAxis& theAxis)
   : axis(theAxis)
   , solidVolume(std::accumulate(theAxis.ballVolumes.begin(), theAxis.ballVolumes.end(), 0.0))
 {
+  const std::vector<Point>& points = this->axis.points;
+  this->sizes.assign(this->axis.cells.vertices.size(), 1);
+  for (const Edge& edge : this->axis.cells.edges)
+  {
+    this->sizes.push_back((points[edge[1]] - points[edge[0]]).norm());
+  }
   for (const Triangle& t : this->axis.cells.triangles)
   {
-    const Point& a = this->axis.points[t[0]];
-    this->areas.push_back(
-      0.5 * (this->axis.points[t[1]] - a).cross(this->axis.points[t[2]] - a).norm());
+    const Point& a = points[t[0]];
+    this->sizes.push_back(0.5 * (points[t[1]] - a).cross(points[t[2]] - a).norm());
   }
 }
 
@@ -110,6 +117,19 @@ std::vector<double> PartMeasures::ofVolumes(const Partition& partition) const
   return result;
 }
 
+std::vector<double> PartMeasures::objectAngles(const Partition& partition) const
+{
+  std::vector<double> means = overCells(partition, [&](double sum, Index cell) {
+    return sum + this->sizes[cell] * this->axis.siteViews[cell].objectAngle;
+  });
+  const std::vector<double> sums =
+    overCells(partition, [&](double sum, Index cell) { return sum + this->sizes[cell]; });
+  // A part without a size, of flat triangles alone, sees nothing.
+  std::transform(means.begin(), means.end(), sums.begin(), means.begin(),
+    [](double mean, double sum) { return sum > 0 ? mean / sum : 0; });
+  return means;
+}
+
 std::vector<double> PartMeasures::significance(Measure measure, const Partition& partition) const
 {
   const Index firstTriangle = this->axis.cells.firstTriangle();
@@ -121,7 +141,7 @@ std::vector<double> PartMeasures::significance(Measure measure, const Partition&
       return this->ofVolumes(partition);
     case Measure::Area:
       return overCells(partition, [&](double sum, Index cell) {
-        return cell < firstTriangle ? sum : sum + this->areas[cell - firstTriangle];
+        return cell < firstTriangle ? sum : sum + this->sizes[cell];
       });
     case Measure::MeanRadius:
       return meanRadii(this->axis, partition);
@@ -131,6 +151,11 @@ std::vector<double> PartMeasures::significance(Measure measure, const Partition&
           this->axis.cells, cell, [&](Index p) { most = std::max(most, this->axis.radii[p]); });
         return most;
       });
+    case Measure::ObjectAngle:
+      return this->objectAngles(partition);
+    case Measure::Lambda:
+      return overCells(partition,
+        [&](double most, Index cell) { return std::max(most, this->axis.siteViews[cell].lambda); });
   }
   return {};
 }

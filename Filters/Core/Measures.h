@@ -17,7 +17,9 @@ enum class Measure
   RelativeVolume = 1, ///< volume of its balls' Delaunay cells / volume of the solid, 0 ... 1
   Area = 3,           ///< of its triangles; 0 for lines and vertices
   MeanRadius = 4,     ///< of the maximal balls at its points, each point once
-  MaximumRadius = 5   ///< of the maximal balls at its points
+  MaximumRadius = 5,  ///< of the maximal balls at its points
+  ObjectAngle = 6,    ///< mean over its cells, by area or length; 0 ... 180 degrees
+  Lambda = 7 ///< largest of its cells: the lambda axis ([CL05]) has cells above a threshold
 };
 
 /// How a measure behaves, and what it is called.
@@ -25,7 +27,7 @@ struct MeasureTraits
 {
   Measure measure;
   const char* name; ///< column of the table of parts
-  const char* unit; ///< 1, length, area
+  const char* unit; ///< 1, length, area, degrees
   bool addsUp;      ///< the value of several parts is the sum of theirs; else the largest
 };
 
@@ -51,9 +53,10 @@ public:
 
 private:
   std::vector<double> ofVolumes(const Partition& partition) const;
+  std::vector<double> objectAngles(const Partition& partition) const;
 
   const MedialAxis& axis;
-  std::vector<double> areas; ///< of each triangle
+  std::vector<double> sizes; ///< of each cell: area, length, 1
   double solidVolume;        ///< of all balls
 };
 }

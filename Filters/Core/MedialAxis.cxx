@@ -131,6 +131,50 @@ std::vector<Index> owners(const PolarBalls& polarBalls, const std::vector<Index>
 }
 }
 
+std::vector<Ball> cornerBalls(const MedialAxis& axis, Index cell)
+{
+  std::vector<Ball> result;
+  forPoints(axis.cells, cell, [&](Index p) {
+    result.push_back({ axis.points[p], axis.radii[p] });
+  });
+  return result;
+}
+
+MedialAxis withCells(const MedialAxis& axis, const std::vector<Index>& cells)
+{
+  MedialAxis result = axis;
+  result.cells = {};
+  const auto chosen = [&cells](const auto& values) {
+    std::decay_t<decltype(values)> some;
+    for (const Index cell : cells)
+    {
+      some.push_back(values[cell]);
+    }
+    return some;
+  };
+  result.polygonOfCell = chosen(axis.polygonOfCell);
+  result.samplesOfCell = chosen(axis.samplesOfCell);
+  result.siteViews = chosen(axis.siteViews);
+  for (const Index cell : cells)
+  {
+    if (cell < axis.cells.firstEdge())
+    {
+      result.cells.vertices.push_back(axis.cells.vertices[cell]);
+    }
+    else if (cell < axis.cells.firstTriangle())
+    {
+      result.cells.edges.push_back(axis.cells.edges[cell - axis.cells.firstEdge()]);
+    }
+    else
+    {
+      result.cells.triangles.push_back(axis.cells.triangles[cell - axis.cells.firstTriangle()]);
+    }
+  }
+  result.betti = bettiNumbers(result.cells);
+  result.certificate = result.betti == result.powerShapeBetti;
+  return result;
+}
+
 MedialAxis medialAxis(
   const PolarBalls& polarBalls, const AxisOptions& options, const Execution& execution)
 {

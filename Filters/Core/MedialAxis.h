@@ -4,6 +4,7 @@
 
 #include "Execution.h"
 #include "PolarBalls.h"
+#include "SiteView.h"
 #include "Types.h"
 
 #include <vector>
@@ -57,6 +58,7 @@ struct MedialAxis
   std::vector<Index> polygonOfCell; ///< triangles of one Voronoi face share a number; else None
   std::vector<Edge> samplesOfCell;  ///< the two sites the cell is equally far from, where they are
                                     ///< samples, else None
+  std::vector<SiteView> siteViews;
 
   // One entry for each polar ball.
   std::vector<Index> ballOwner; ///< itself if on the axis; for an inner ball off the axis the ball
@@ -89,6 +91,13 @@ struct AxisOptions
 /// @throw Aborted
 MedialAxis medialAxis(
   const PolarBalls& polarBalls, const AxisOptions& options = {}, const Execution& execution = {});
+
+/// The axis with some of its cells, given in ascending order, alone; all points stay. The Betti
+/// numbers and the certificate are those of the cells.
+MedialAxis withCells(const MedialAxis& axis, const std::vector<Index>& cells);
+
+/// The maximal balls at the corners of a cell.
+std::vector<Ball> cornerBalls(const MedialAxis& axis, Index cell);
 
 /// Betti numbers of the complex of `cells` and their faces. Exact, over Z/2.
 Betti bettiNumbers(const AxisCells& cells);

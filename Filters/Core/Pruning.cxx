@@ -424,37 +424,15 @@ private:
   /// The axis with the living cells alone; fills inputCell.
   MedialAxis livingAxis()
   {
-    MedialAxis pruned = this->axis;
-    pruned.cells = {};
-    pruned.polygonOfCell.clear();
-    pruned.samplesOfCell.clear();
     this->result.inputCell.clear();
-    const AxisCells& cells = this->axis.cells;
-    for (Index c = 0; c < cells.size(); ++c)
+    for (Index c = 0; c < this->axis.cells.size(); ++c)
     {
-      if (!this->living.isLiving(c))
+      if (this->living.isLiving(c))
       {
-        continue;
-      }
-      this->result.inputCell.push_back(c);
-      pruned.polygonOfCell.push_back(this->axis.polygonOfCell[c]);
-      pruned.samplesOfCell.push_back(this->axis.samplesOfCell[c]);
-      if (c < cells.firstEdge())
-      {
-        pruned.cells.vertices.push_back(cells.vertices[c]);
-      }
-      else if (c < cells.firstTriangle())
-      {
-        pruned.cells.edges.push_back(cells.edges[c - cells.firstEdge()]);
-      }
-      else
-      {
-        pruned.cells.triangles.push_back(cells.triangles[c - cells.firstTriangle()]);
+        this->result.inputCell.push_back(c);
       }
     }
-    pruned.betti = bettiNumbers(pruned.cells);
-    pruned.certificate = pruned.betti == pruned.powerShapeBetti;
-    return pruned;
+    return withCells(this->axis, this->result.inputCell);
   }
 
   /// Fills keepReason from the last iteration's point of view.

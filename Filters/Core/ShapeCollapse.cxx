@@ -195,6 +195,10 @@ MedialAxis collapsedShape(const PolarBalls& polarBalls, const PowerShape& shape)
   axis.polygonOfCell.resize(axis.cells.size());
   std::iota(axis.polygonOfCell.begin() + lower, axis.polygonOfCell.end(), 0);
   axis.samplesOfCell.assign(axis.cells.size(), { None, None });
+  for (Index cell = 0; cell < axis.cells.size(); ++cell)
+  {
+    axis.siteViews.push_back(siteView(cornerBalls(axis, cell)));
+  }
   return axis;
 }
 }

@@ -13,6 +13,7 @@ struct Polygon
 {
   std::vector<Index> corners;
   Index siteEdge; ///< the edge of the sites' triangulation it is dual to, or None
+  Triangle siteFacet = { None, None, None }; ///< corners of the facet that an edge is dual to
 };
 
 /// Cuts a closed walk where it visits a vertex again, drops pieces of one corner, and appends the

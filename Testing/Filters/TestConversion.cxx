@@ -51,6 +51,11 @@ bool sameBall(const medial::Ball& a, const medial::Ball& b)
   return a.center == b.center && a.radius == b.radius;
 }
 
+bool sameView(const medial::SiteView& a, const medial::SiteView& b)
+{
+  return a.objectAngle == b.objectAngle && a.lambda == b.lambda;
+}
+
 TEST(Conversion, ReadsSamplesInTheirOrder)
 {
   EXPECT_EQ(medial::readSamples(filterTest::cloud(smallBox().samples)), smallBox().samples);
@@ -88,6 +93,8 @@ TEST(Conversion, ReadsTheMedialAxisThatItWrote)
   EXPECT_EQ(read.cells.triangles, written.cells.triangles);
   EXPECT_EQ(read.polygonOfCell, written.polygonOfCell);
   EXPECT_EQ(read.samplesOfCell, written.samplesOfCell);
+  EXPECT_TRUE(std::equal(read.siteViews.begin(), read.siteViews.end(), written.siteViews.begin(),
+    written.siteViews.end(), sameView));
   EXPECT_EQ(read.ballOwner, written.ballOwner);
   EXPECT_EQ(read.ballVolumes, written.ballVolumes);
   EXPECT_EQ(read.powerShapeBetti, written.powerShapeBetti);
@@ -97,12 +104,33 @@ TEST(Conversion, ReadsTheMedialAxisThatItWrote)
   EXPECT_EQ(read.kappa, written.kappa);
 }
 
+TEST(Conversion, TellsWhatToDoWithFilesOfAnEarlierVersion)
+{
+  for (const char* name : { "ObjectAngle", "Lambda" })
+  {
+    const vtkSmartPointer<vtkPolyData> data = axisData();
+    data->GetCellData()->RemoveArray(name);
+    try
+    {
+      medial::readMedialAxis(data);
+      ADD_FAILURE() << "an axis without " << name << " was read";
+    }
+    catch (const medial::InvalidInput& error)
+    {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("there is no cell array '" + std::string(name)), std::string::npos);
+      EXPECT_NE(message.find("earlier version"), std::string::npos) << message;
+    }
+  }
+}
+
 TEST(Conversion, ReadsVerticesEdgesAndTriangles)
 {
   medial::MedialAxis axis = values().axis;
   axis.cells = { { 0, 5 }, { { 1, 2 } }, { { 2, 3, 4 }, { 2, 4, 6 } } };
   axis.polygonOfCell = { medial::None, medial::None, medial::None, 0, 0 };
   axis.samplesOfCell.assign(5, { medial::None, 7 });
+  axis.siteViews = { { 180, 1 }, { 0, 0 }, { 120, 2 }, { 90, 3 }, { 60, 4 } };
   vtkNew<vtkPolyData> data;
   medial::write(axis, ballGrid(), data);
   EXPECT_EQ(data->GetCellType(0), VTK_VERTEX);
