@@ -2,7 +2,7 @@
 #include "AxisEdges.h"
 
 #include <algorithm>
-#include <tuple>
+#include <numeric>
 
 namespace medial
 {
@@ -12,31 +12,45 @@ namespace
 struct Use
 {
   Index first, second, where;
-  bool operator<(const Use& other) const
-  {
-    return std::tie(this->first, this->second, this->where) <
-      std::tie(other.first, other.second, other.where);
-  }
 };
 
-std::vector<Use> uses(const AxisCells& cells)
+/// Calls body(use) for all of them in the order of their place.
+template <typename Body>
+void forUses(const AxisCells& cells, const Body& body)
 {
-  std::vector<Use> result;
-  result.reserve(3 * cells.triangles.size() + cells.edges.size());
-  const auto add = [&result](Index a, Index b) {
-    result.push_back({ std::min(a, b), std::max(a, b), count(result) });
-  };
+  Index where = 0;
+  const auto use = [&](Index a, Index b) { body(Use{ std::min(a, b), std::max(a, b), where++ }); };
   for (const Triangle& t : cells.triangles)
   {
-    add(t[0], t[1]);
-    add(t[1], t[2]);
-    add(t[2], t[0]);
+    use(t[0], t[1]);
+    use(t[1], t[2]);
+    use(t[2], t[0]);
   }
   for (const Edge& edge : cells.edges)
   {
-    add(edge[0], edge[1]);
+    use(edge[0], edge[1]);
   }
-  std::sort(result.begin(), result.end());
+}
+
+/// All uses by first corner, second corner, place. Counted by first corner: few share one.
+std::vector<Use> sortedUses(const AxisCells& cells)
+{
+  std::vector<Index> begin{ 0 };
+  forUses(cells, [&begin](const Use& use) {
+    begin.resize(std::max(begin.size(), static_cast<std::size_t>(use.first) + 2), 0);
+    ++begin[use.first + 1];
+  });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Use> result(begin.back());
+  std::vector<Index> next = begin;
+  forUses(cells, [&](const Use& use) { result[next[use.first]++] = use; });
+  const auto before = [](const Use& a, const Use& b) {
+    return a.second != b.second ? a.second < b.second : a.where < b.where;
+  };
+  for (std::size_t p = 1; p < begin.size(); ++p)
+  {
+    std::sort(result.begin() + begin[p - 1], result.begin() + begin[p], before);
+  }
   return result;
 }
 }
@@ -47,7 +61,7 @@ AxisEdges axisEdges(const AxisCells& cells)
   result.ofTriangle.resize(cells.triangles.size());
   result.ofDangling.resize(cells.edges.size());
   const Index sides = 3 * count(cells.triangles);
-  const std::vector<Use> all = uses(cells);
+  const std::vector<Use> all = sortedUses(cells);
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     const Use& use = all[i];

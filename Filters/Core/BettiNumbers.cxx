@@ -3,6 +3,8 @@
 
 #include "AxisEdges.h"
 #include "DisjointSets.h"
+#include "LivingCells.h"
+#include "Partition.h"
 
 #include <algorithm>
 #include <map>
@@ -11,69 +13,41 @@ namespace medial
 {
 namespace
 {
-/// Triangles joined over edges with exactly two of them: a closed chain holds all of a patch or none.
-struct Patches
-{
-  std::vector<Index> ofTriangle;
-  Index count = 0;
-  std::vector<char> dead; ///< has an edge with one triangle: in no closed chain
-};
-
-Patches patches(const AxisEdges& edges, Index triangleCount)
-{
-  DisjointSets sets(triangleCount);
-  for (Index e = 0; e < edges.triangles.size(); ++e)
-  {
-    if (edges.triangles[e].size() == 2)
-    {
-      sets.unite(edges.triangles[e][0], edges.triangles[e][1]);
-    }
-  }
-  Patches result;
-  result.ofTriangle.assign(triangleCount, None);
-  for (Index t = 0; t < triangleCount; ++t)
-  {
-    const Index first = sets.find(t);
-    result.ofTriangle[t] = first == t ? result.count++ : result.ofTriangle[first];
-  }
-  result.dead.assign(result.count, 0);
-  for (Index e = 0; e < edges.triangles.size(); ++e)
-  {
-    if (edges.triangles[e].size() == 1)
-    {
-      result.dead[result.ofTriangle[edges.triangles[e][0]]] = 1;
-    }
-  }
-  return result;
-}
-
-/// The conditions on closed chains: at each edge an even number of these patches.
-std::vector<std::vector<Index>> conditions(const AxisEdges& edges, const Patches& patches)
+/// The conditions on closed chains, which hold all triangles of a part or none: at each edge an even
+/// number of them.
+std::vector<std::vector<Index>> conditions(const LivingCells& living, const Partition& partition)
 {
   std::vector<std::vector<Index>> rows;
-  for (Index e = 0; e < edges.triangles.size(); ++e)
+  for (Index e = 0; e < living.edges.triangles.size(); ++e)
   {
-    if (edges.triangles[e].size() < 3)
+    if (living.trianglesAtEdge(e) < 3)
     {
       continue;
     }
     std::vector<Index> row;
-    for (const Index t : edges.triangles[e])
+    for (const Index t : living.edges.triangles[e])
     {
-      const Index patch = patches.ofTriangle[t];
-      const auto at = std::find(row.begin(), row.end(), patch);
-      at == row.end() ? static_cast<void>(row.push_back(patch)) : static_cast<void>(row.erase(at));
+      const Index part = partition.partOfCell[living.cells.firstTriangle() + t];
+      const auto at = std::find(row.begin(), row.end(), part);
+      if (at != row.end())
+      {
+        row.erase(at);
+      }
+      else if (part != None)
+      {
+        row.push_back(part);
+      }
     }
     std::sort(row.begin(), row.end());
-    rows.push_back(row);
+    rows.push_back(std::move(row));
   }
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   return rows;
 }
 
-/// Patches that can't be in a closed chain because they are alone at an edge, until there is none.
-void killLonePatches(const std::vector<std::vector<Index>>& rows, std::vector<char>& dead)
+/// Parts that can't be in a closed chain because they are alone at an edge, until there is none.
+void killLoneParts(const std::vector<std::vector<Index>>& rows, std::vector<char>& dead)
 {
   for (bool changed = true; changed;)
   {
@@ -81,10 +55,10 @@ void killLonePatches(const std::vector<std::vector<Index>>& rows, std::vector<ch
     for (const std::vector<Index>& row : rows)
     {
       Index living = 0, last = None;
-      for (const Index patch : row)
+      for (const Index part : row)
       {
-        living += !dead[patch];
-        last = dead[patch] ? last : patch;
+        living += !dead[part];
+        last = dead[part] ? last : part;
       }
       if (living == 1)
       {
@@ -102,8 +76,8 @@ Index rank(const std::vector<std::vector<Index>>& rows, const std::vector<char>&
   for (const std::vector<Index>& all : rows)
   {
     std::vector<Index> row;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(row),
-      [&dead](Index patch) { return !dead[patch]; });
+    std::copy_if(
+      all.begin(), all.end(), std::back_inserter(row), [&dead](Index part) { return !dead[part]; });
     while (!row.empty())
     {
       const auto pivot = pivots.find(row.back());
@@ -121,47 +95,76 @@ Index rank(const std::vector<std::vector<Index>>& rows, const std::vector<char>&
   return count(pivots);
 }
 
-Index closedChains(const AxisEdges& edges, Index triangleCount)
+Index closedChains(const LivingCells& living, const Partition& partition)
 {
-  Patches groups = patches(edges, triangleCount);
-  const std::vector<std::vector<Index>> rows = conditions(edges, groups);
-  killLonePatches(rows, groups.dead);
-  const Index living = static_cast<Index>(std::count(groups.dead.begin(), groups.dead.end(), 0));
-  return living - rank(rows, groups.dead);
+  std::vector<char> dead; // a part with an edge of one triangle is in no closed chain
+  for (std::size_t part = 0; part < partition.level.size(); ++part)
+  {
+    dead.push_back(partition.dimension[part] < 2 || partition.level[part] == 1);
+  }
+  const std::vector<std::vector<Index>> rows = conditions(living, partition);
+  killLoneParts(rows, dead);
+  return static_cast<Index>(std::count(dead.begin(), dead.end(), 0)) - rank(rows, dead);
 }
+
+/// Groups of parts that share points.
+Index pieces(const LivingCells& living, const Partition& partition)
+{
+  DisjointSets groups(count(partition.dimension));
+  Index result = count(partition.dimension);
+  for (Index p = 0; p < living.cellsOfPoint().size(); ++p)
+  {
+    Index last = None;
+    for (const Index cell : living.cellsOfPoint()[p])
+    {
+      const Index part = partition.partOfCell[cell];
+      if (part != None && last != None && part != last)
+      {
+        result -= groups.unite(last, part);
+      }
+      last = part == None ? last : part;
+    }
+  }
+  return result;
+}
+
+/// Points - edges + triangles.
+Index eulerCharacteristic(const LivingCells& living)
+{
+  const AxisCells& cells = living.cells;
+  Index result = 0;
+  for (Index p = 0; p < living.cellsOfPoint().size(); ++p)
+  {
+    result += living.cellsAtPoint(p) > 0;
+  }
+  std::vector<char> used(living.edges.points.size(), 0);
+  for (Index e = 0; e < count(used); ++e)
+  {
+    used[e] = living.trianglesAtEdge(e) > 0;
+  }
+  for (Index c = cells.firstEdge(); c < cells.firstTriangle(); ++c)
+  {
+    char& edge = used[living.edges.ofDangling[c - cells.firstEdge()]];
+    edge = edge || living.isLiving(c);
+  }
+  for (Index c = cells.firstTriangle(); c < cells.size(); ++c)
+  {
+    result += living.isLiving(c);
+  }
+  return result - static_cast<Index>(std::count(used.begin(), used.end(), 1));
+}
+}
+
+Betti bettiNumbers(const LivingCells& living, const Partition& partition)
+{
+  const Index b0 = pieces(living, partition), b2 = closedChains(living, partition);
+  return { b0, b0 + b2 - eulerCharacteristic(living), b2 };
 }
 
 Betti bettiNumbers(const AxisCells& cells)
 {
   const AxisEdges edges = axisEdges(cells);
-  Index highest = None;
-  for (const Edge& edge : edges.points)
-  {
-    highest = std::max(highest, edge[1]);
-  }
-  for (const Index v : cells.vertices)
-  {
-    highest = std::max(highest, v);
-  }
-  std::vector<char> used(highest + 1, 0);
-  DisjointSets pieces(highest + 1);
-  for (const Index v : cells.vertices)
-  {
-    used[v] = 1;
-  }
-  for (const Edge& edge : edges.points)
-  {
-    used[edge[0]] = used[edge[1]] = 1;
-    pieces.unite(edge[0], edge[1]);
-  }
-  Index vertices = 0, b0 = 0;
-  for (Index v = 0; v <= highest; ++v)
-  {
-    vertices += used[v];
-    b0 += used[v] && pieces.find(v) == v;
-  }
-  const Index b2 = closedChains(edges, count(cells.triangles));
-  const Index euler = vertices - count(edges.points) + count(cells.triangles);
-  return { b0, b0 + b2 - euler, b2 };
+  LivingCells living(cells, edges);
+  return bettiNumbers(living, partition(living, 1));
 }
 }

@@ -183,26 +183,23 @@ std::vector<ContactCurve> contactCurves(const AxisEdges& edges, const ContactEdg
 }
 
 /// The points at which some part has no contact edge.
-std::vector<ContactCurve> contactPoints(const IndexLists& partsAt, const ContactEdges& contacts)
+std::vector<ContactCurve> contactPoints(const PartsAtPoints& there, const ContactEdges& contacts)
 {
   std::vector<ContactCurve> result;
-  for (Index p = 0; p < partsAt.size(); ++p)
+  for (Index p = 0; p < there.several.size(); ++p)
   {
-    const std::vector<Index> parts = withoutRepeats(partsAt[p]);
-    if (parts.size() < 2)
-    {
-      continue;
-    }
+    const std::vector<Index> parts = withoutRepeats(there.several[p]);
     std::vector<Index> joined;
     const auto at = contacts.atPoint.find(p);
-    for (std::size_t i = 0; at != contacts.atPoint.end() && i < at->second.size(); ++i)
+    for (std::size_t i = 0; !parts.empty() && at != contacts.atPoint.end() && i < at->second.size();
+         ++i)
     {
       const std::vector<Index>& along = contacts.parts.at(at->second[i]);
       joined.insert(joined.end(), along.begin(), along.end());
     }
     std::sort(joined.begin(), joined.end());
     joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
-    if (joined != parts)
+    if (!parts.empty() && joined != parts)
     {
       result.push_back({ { p }, parts });
     }
@@ -213,20 +210,27 @@ std::vector<ContactCurve> contactPoints(const IndexLists& partsAt, const Contact
 
 std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell)
 {
-  const IndexLists votes = partsAtPoints(axis.cells, partOfCell, count(axis.points));
+  const PartsAtPoints there = partsAtPoints(axis.cells, partOfCell, count(axis.points));
   std::vector<Index> part(axis.ballOwner.size(), None), most(axis.ballOwner.size(), 0);
-  for (Index p = 0; p < votes.size(); ++p)
+  const auto vote = [&](Index ball, Index candidate, Index votes) {
+    if (votes > most[ball])
+    {
+      most[ball] = votes;
+      part[ball] = candidate;
+    }
+  };
+  for (Index p = 0; p < count(axis.points); ++p)
   {
     const Index ball = axis.ballOfPoint[p];
-    const Index* const last = votes[p].end();
-    for (const Index* i = votes[p].begin(); i != last && ball != None;)
+    const IndexLists::View several = there.several[p];
+    if (ball != None && there.only[p] != None)
     {
-      const Index* const end = std::upper_bound(i, last, *i);
-      if (end - i > most[ball])
-      {
-        most[ball] = static_cast<Index>(end - i);
-        part[ball] = *i;
-      }
+      vote(ball, there.only[p], there.cells[p]);
+    }
+    for (const Index* i = several.begin(); i != several.end() && ball != None;)
+    {
+      const Index* const end = std::find_if(i, several.end(), [i](Index q) { return q != *i; });
+      vote(ball, *i, static_cast<Index>(end - i));
       i = end;
     }
   }
@@ -251,7 +255,7 @@ std::vector<char> keptBalls(const MedialAxis& axis)
 MedialParts decompose(const MedialAxis& axis, int maximumLevel, const Execution& execution)
 {
   const AxisEdges edges = axisEdges(axis.cells);
-  const Partition groups = partition(axis.cells, edges, {}, maximumLevel);
+  const Partition groups = partition(axis.cells, edges, maximumLevel);
   execution.report(0.5);
   MedialParts result;
   result.partOfCell = groups.partOfCell;

@@ -5,250 +5,167 @@
 
 namespace medial
 {
-namespace
+PartCollapse::PartCollapse(const LivingCells& livingCells)
+  : living(livingCells)
+  , triangles(livingCells.edges.points.size(), 0)
+  , triangleNumbers(livingCells.edges.points.size(), 0)
+  , edges(livingCells.cellsOfPoint().size(), 0)
+  , edgeNumbers(livingCells.cellsOfPoint().size(), 0)
+  , edgeStates(livingCells.edges.points.size(), State::NotHere)
+  , pointStates(livingCells.cellsOfPoint().size(), State::NotHere)
 {
-/// Calls onEdge(edge) and onPoint(point) for what a cell uses.
-template <typename OnEdge, typename OnPoint>
-void forFaces(const AxisCells& cells, const AxisEdges& edges, Index cell, const OnEdge& onEdge,
-  const OnPoint& onPoint)
-{
-  if (cell >= cells.firstTriangle())
-  {
-    const Index t = cell - cells.firstTriangle();
-    for (int k = 0; k < 3; ++k)
-    {
-      onEdge(edges.ofTriangle[t][k]);
-      onPoint(cells.triangles[t][k]);
-    }
-  }
-  else if (cell >= cells.firstEdge())
-  {
-    const Index e = cell - cells.firstEdge();
-    onEdge(edges.ofDangling[e]);
-    onPoint(cells.edges[e][0]);
-    onPoint(cells.edges[e][1]);
-  }
-  else
-  {
-    onPoint(cells.vertices[cell]);
-  }
-}
 }
 
-/// Some cells with numbers of their own, and how far they have collapsed.
-struct LivingCells::Unit
+void PartCollapse::enter(const std::vector<Index>& unit)
 {
-  struct UnitEdge
-  {
-    Edge points;                  ///< local
-    std::vector<Index> triangles; ///< local, at it
-    Index uses = 0;               ///< triangles that are still there
-    bool fixed = false;           ///< other living cells have it
-    bool gone = false;
-  };
-  struct UnitPoint
-  {
-    std::vector<Index> edges; ///< local, at it
-    Index degree = 0;         ///< edges that are still there
-    Index uses = 0;           ///< cells of the unit
-    bool fixed = false;
-    bool gone = false;
-  };
-  std::vector<UnitEdge> edges;
-  std::vector<UnitPoint> points;
-  std::vector<Triangle> triangles; ///< local edges
-  Index trianglesLeft = 0;
-  bool hasContact = false;
-};
-
-LivingCells::LivingCells(const AxisCells& cells, const AxisEdges& edges)
-  : axisCells(cells)
-  , axisEdges(edges)
-  , living(cells.size(), 1)
-  , livingCount(cells.size())
-  , trianglesAtEdge(edges.points.size(), 0)
-  , localEdge(edges.points.size(), None)
-{
-  Index highest = None;
-  const auto nothing = [](Index) {};
-  for (Index c = 0; c < cells.size(); ++c)
-  {
-    forFaces(cells, edges, c, nothing, [&](Index p) { highest = std::max(highest, p); });
-  }
-  this->cellsAtPoint.assign(highest + 1, 0);
-  this->localPoint.assign(highest + 1, None);
-  for (Index c = 0; c < cells.size(); ++c)
+  const AxisCells& cells = this->living.cells;
+  for (const Index c : unit)
   {
     const bool isTriangle = c >= cells.firstTriangle();
-    forFaces(
-      cells, edges, c, [&](Index e) { this->trianglesAtEdge[e] += isTriangle; },
-      [&](Index p) { ++this->cellsAtPoint[p]; });
+    const auto onEdge = [&](Index e) {
+      if (this->edgeStates[e] == State::NotHere)
+      {
+        this->edgeStates[e] = State::Free;
+        this->ownEdges.push_back(e);
+      }
+      this->triangles[e] += isTriangle;
+      this->triangleNumbers[e] ^= isTriangle ? c - cells.firstTriangle() : 0;
+    };
+    const auto onPoint = [&](Index p) {
+      if (this->pointStates[p] == State::NotHere)
+      {
+        this->pointStates[p] = State::Free;
+        this->ownPoints.push_back(p);
+      }
+      ++this->edges[p]; // cells, for a start
+    };
+    forFaces(cells, this->living.edges, c, onEdge, onPoint);
   }
-}
-
-void LivingCells::remove(const std::vector<Index>& cells)
-{
-  for (const Index c : cells)
+  for (const Index p : this->ownPoints)
   {
-    const bool isTriangle = c >= this->axisCells.firstTriangle();
-    this->living[c] = 0;
-    --this->livingCount;
-    forFaces(
-      this->axisCells, this->axisEdges, c, [&](Index e) { this->trianglesAtEdge[e] -= isTriangle; },
-      [&](Index p) { --this->cellsAtPoint[p]; });
+    const bool shared = this->living.cellsAtPoint(p) > this->edges[p];
+    this->pointStates[p] = shared ? State::Fixed : State::Free;
+    this->edges[p] = 0;
   }
-}
-
-LivingCells::Unit LivingCells::unitOf(const std::vector<Index>& cells)
-{
-  Unit unit;
-  std::vector<Index> edges, points;
-  const auto number = [](std::vector<Index>& local, std::vector<Index>& all, Index i) {
-    if (local[i] == None)
+  for (const Index e : this->ownEdges)
+  {
+    const bool shared = this->living.trianglesAtEdge(e) > this->triangles[e];
+    this->edgeStates[e] = shared ? State::Fixed : State::Free;
+    for (const Index p : this->living.edges.points[e])
     {
-      local[i] = count(all);
-      all.push_back(i);
-    }
-  };
-  for (const Index c : cells)
-  {
-    forFaces(
-      this->axisCells, this->axisEdges, c, [&](Index e) { number(this->localEdge, edges, e); },
-      [&](Index p) { number(this->localPoint, points, p); });
-  }
-  unit.edges.resize(edges.size());
-  unit.points.resize(points.size());
-  for (const Index c : cells)
-  {
-    const bool isTriangle = c >= this->axisCells.firstTriangle();
-    Triangle sides{ None, None, None };
-    int k = 0;
-    forFaces(
-      this->axisCells, this->axisEdges, c,
-      [&](Index e) {
-        sides[k++] = this->localEdge[e];
-        if (isTriangle)
-        {
-          unit.edges[this->localEdge[e]].triangles.push_back(count(unit.triangles));
-        }
-      },
-      [&](Index p) { ++unit.points[this->localPoint[p]].uses; });
-    if (isTriangle)
-    {
-      unit.triangles.push_back(sides);
+      ++this->edges[p];
+      this->edgeNumbers[p] ^= e;
     }
   }
-  this->findContact(edges, points, unit);
-  unit.trianglesLeft = count(unit.triangles);
-  return unit;
 }
 
-void LivingCells::findContact(
-  const std::vector<Index>& edges, const std::vector<Index>& points, Unit& unit)
+void PartCollapse::leave()
 {
-  for (Index e = 0; e < count(edges); ++e)
+  for (const Index e : this->ownEdges)
   {
-    Unit::UnitEdge& edge = unit.edges[e];
-    edge.uses = count(edge.triangles);
-    edge.fixed = this->trianglesAtEdge[edges[e]] > edge.uses;
-    for (int k = 0; k < 2; ++k)
-    {
-      edge.points[k] = this->localPoint[this->axisEdges.points[edges[e]][k]];
-      unit.points[edge.points[k]].edges.push_back(e);
-      ++unit.points[edge.points[k]].degree;
-    }
-    this->localEdge[edges[e]] = None;
+    this->edgeStates[e] = State::NotHere;
+    this->triangles[e] = this->triangleNumbers[e] = 0;
   }
-  for (Index p = 0; p < count(points); ++p)
+  for (const Index p : this->ownPoints)
   {
-    unit.points[p].fixed = this->cellsAtPoint[points[p]] > unit.points[p].uses;
-    unit.hasContact = unit.hasContact || unit.points[p].fixed;
-    this->localPoint[points[p]] = None;
+    this->pointStates[p] = State::NotHere;
+    this->edges[p] = this->edgeNumbers[p] = 0;
+  }
+  this->ownEdges.clear();
+  this->ownPoints.clear();
+}
+
+bool PartCollapse::hasContact() const
+{
+  return std::any_of(this->ownPoints.begin(), this->ownPoints.end(),
+    [this](Index p) { return this->pointStates[p] == State::Fixed; });
+}
+
+void PartCollapse::takeFromPoints(Index edge)
+{
+  this->edgeStates[edge] = State::Gone;
+  for (const Index p : this->living.edges.points[edge])
+  {
+    --this->edges[p];
+    this->edgeNumbers[p] ^= edge;
   }
 }
 
-void LivingCells::collapseTriangles(Unit& unit) const
+bool PartCollapse::collapseTriangles(Index left)
 {
   std::vector<Index> todo;
   const auto offer = [&](Index e) {
-    if (unit.edges[e].uses == 1 && !unit.edges[e].fixed)
+    if (this->triangles[e] == 1 && this->edgeStates[e] == State::Free)
     {
       todo.push_back(e);
     }
   };
-  for (Index e = 0; e < count(unit.edges); ++e)
-  {
-    offer(e);
-  }
-  std::vector<char> gone(unit.triangles.size(), 0);
+  std::for_each(this->ownEdges.begin(), this->ownEdges.end(), offer);
   while (!todo.empty())
   {
-    Unit::UnitEdge& edge = unit.edges[todo.back()];
+    const Index edge = todo.back();
     todo.pop_back();
-    if (edge.uses != 1)
+    if (this->triangles[edge] != 1)
     {
       continue; // its last triangle went through another edge
     }
-    const Index triangle = *std::find_if(
-      edge.triangles.begin(), edge.triangles.end(), [&](Index t) { return !gone[t]; });
-    gone[triangle] = 1;
-    --unit.trianglesLeft;
-    edge.gone = true;
-    --unit.points[edge.points[0]].degree;
-    --unit.points[edge.points[1]].degree;
-    for (const Index e : unit.triangles[triangle])
+    const Index triangle = this->triangleNumbers[edge];
+    --left;
+    this->takeFromPoints(edge);
+    for (const Index e : this->living.edges.ofTriangle[triangle])
     {
-      --unit.edges[e].uses;
+      --this->triangles[e];
+      this->triangleNumbers[e] ^= triangle;
       offer(e);
     }
   }
+  return left == 0;
 }
 
-bool LivingCells::collapseEdges(Unit& unit) const
+bool PartCollapse::collapseEdges()
 {
   std::vector<Index> todo;
   const auto offer = [&](Index p) {
-    if (unit.points[p].degree == 1 && !unit.points[p].fixed)
+    if (this->edges[p] == 1 && this->pointStates[p] == State::Free)
     {
       todo.push_back(p);
     }
   };
-  for (Index p = 0; p < count(unit.points); ++p)
-  {
-    offer(p);
-  }
+  std::for_each(this->ownPoints.begin(), this->ownPoints.end(), offer);
   while (!todo.empty())
   {
-    Unit::UnitPoint& point = unit.points[todo.back()];
+    const Index point = todo.back();
     todo.pop_back();
-    if (point.degree != 1)
+    if (this->edges[point] != 1)
     {
       continue;
     }
-    const Index e = *std::find_if(
-      point.edges.begin(), point.edges.end(), [&](Index i) { return !unit.edges[i].gone; });
-    unit.edges[e].gone = true;
-    point.gone = true;
-    for (const Index p : unit.edges[e].points)
-    {
-      --unit.points[p].degree;
-      offer(p);
-    }
+    const Index edge = this->edgeNumbers[point];
+    this->pointStates[point] = State::Gone;
+    this->takeFromPoints(edge);
+    const Edge& ends = this->living.edges.points[edge];
+    std::for_each(ends.begin(), ends.end(), offer);
   }
-  const auto settledEdge = [](const Unit::UnitEdge& e) { return e.fixed || e.gone; };
-  const auto settledPoint = [](const Unit::UnitPoint& p) { return p.fixed || p.gone; };
-  return std::all_of(unit.edges.begin(), unit.edges.end(), settledEdge) &&
-    std::all_of(unit.points.begin(), unit.points.end(), settledPoint);
+  return std::none_of(this->ownEdges.begin(), this->ownEdges.end(),
+           [this](Index e) { return this->edgeStates[e] == State::Free; }) &&
+    std::none_of(this->ownPoints.begin(), this->ownPoints.end(),
+      [this](Index p) { return this->pointStates[p] == State::Free; });
 }
 
-LivingCells::Effect LivingCells::effectOfRemoving(const std::vector<Index>& cells)
+PartCollapse::Effect PartCollapse::effectOfRemoving(const std::vector<Index>& unit)
 {
-  Unit unit = this->unitOf(cells);
-  if (!unit.hasContact)
+  this->enter(unit);
+  const Index first = this->living.cells.firstTriangle();
+  const auto triangleCount =
+    std::count_if(unit.begin(), unit.end(), [first](Index c) { return c >= first; });
+  Effect effect = Effect::Isolated;
+  if (this->hasContact())
   {
-    return Effect::Isolated;
+    effect = this->collapseTriangles(static_cast<Index>(triangleCount)) && this->collapseEdges()
+      ? Effect::None
+      : Effect::Changes;
   }
-  this->collapseTriangles(unit);
-  return unit.trianglesLeft == 0 && this->collapseEdges(unit) ? Effect::None : Effect::Changes;
+  this->leave();
+  return effect;
 }
 }

@@ -2,25 +2,19 @@
 #ifndef medial_PartCollapse_h
 #define medial_PartCollapse_h
 
-#include "AxisEdges.h"
-#include "MedialAxis.h"
+#include "LivingCells.h"
 #include "Types.h"
 
 #include <vector>
 
 namespace medial
 {
-/// The living cells of an axis, and what may be taken from them without a change of topology.
-class LivingCells
+/// Tells what may be taken from the living cells of an axis without a change of topology.
+class PartCollapse
 {
 public:
-  LivingCells(const AxisCells& cells, const AxisEdges& edges);
-
-  const std::vector<char>& mask() const { return this->living; }
-  bool isLiving(Index cell) const { return this->living[cell]; }
-  Index size() const { return this->livingCount; }
-
-  void remove(const std::vector<Index>& cells);
+  /// @param livingCells  must outlive this
+  explicit PartCollapse(const LivingCells& livingCells);
 
   /// What removing some living cells would do.
   enum class Effect
@@ -32,22 +26,31 @@ public:
 
   /// Exact, and linear in the number of cells: a 2-complex collapses onto a subcomplex, if at all,
   /// in any order of its free faces. Edges and points that other living cells use are the contact.
-  Effect effectOfRemoving(const std::vector<Index>& cells);
+  Effect effectOfRemoving(const std::vector<Index>& unit);
 
 private:
-  struct Unit;
-  Unit unitOf(const std::vector<Index>& cells);
-  /// Finds what of a unit other living cells use, by its edges and points; clears the scratch.
-  void findContact(const std::vector<Index>& edges, const std::vector<Index>& points, Unit& unit);
-  void collapseTriangles(Unit& unit) const;
-  bool collapseEdges(Unit& unit) const;
+  /// Of an edge or a point of the unit.
+  enum class State : char
+  {
+    NotHere, ///< of none; all are between two calls
+    Free,
+    Fixed, ///< other living cells have it too
+    Gone   ///< collapsed
+  };
 
-  const AxisCells& axisCells;
-  const AxisEdges& axisEdges;
-  std::vector<char> living;
-  Index livingCount;
-  std::vector<Index> trianglesAtEdge, cellsAtPoint; ///< how many live
-  std::vector<Index> localEdge, localPoint;         ///< scratch, None between calls
+  void enter(const std::vector<Index>& unit);
+  void leave();
+  bool hasContact() const;
+  bool collapseTriangles(Index triangles);
+  bool collapseEdges();
+  void takeFromPoints(Index edge);
+
+  const LivingCells& living;
+  // Of each edge: the triangles of the unit left there. Of each point: the edges of the unit left
+  // there. How many, and their numbers added without carry: where one is left, that is its number.
+  std::vector<Index> triangles, triangleNumbers, edges, edgeNumbers;
+  std::vector<State> edgeStates, pointStates;
+  std::vector<Index> ownEdges, ownPoints; ///< those of the unit
 };
 }
 

@@ -2,7 +2,7 @@
 #ifndef medial_Partition_h
 #define medial_Partition_h
 
-#include "AxisEdges.h"
+#include "LivingCells.h"
 #include "MedialAxis.h"
 #include "Types.h"
 
@@ -20,13 +20,25 @@ struct Partition
   std::vector<int> level;     ///< of each part; 0: not reached
 };
 
-/// @param living        for each cell; empty: all live
 /// @param maximumLevel  parts above it keep level 0; 0 or less: no limit
-Partition partition(const AxisCells& cells, const AxisEdges& edges,
-  const std::vector<char>& living = {}, int maximumLevel = 0);
+Partition partition(LivingCells& living, int maximumLevel = 0);
 
-/// For each point the parts of the living cells there, ascending, once for each cell.
-IndexLists partsAtPoints(
+/// The same where all cells live.
+Partition partition(const AxisCells& cells, const AxisEdges& edges, int maximumLevel = 0);
+
+/// Betti numbers of the living cells and their faces. Exact, over Z/2.
+/// @param partition  of these cells, to level 1 or more
+Betti bettiNumbers(const LivingCells& living, const Partition& partition);
+
+/// The parts of the living cells at each point.
+struct PartsAtPoints
+{
+  std::vector<Index> only;  ///< of all cells there; None where there are several, or no cells
+  std::vector<Index> cells; ///< how many
+  IndexLists several; ///< where there are several: those of the cells, ascending, with repeats
+};
+
+PartsAtPoints partsAtPoints(
   const AxisCells& cells, const std::vector<Index>& partOfCell, Index pointCount);
 }
 

@@ -2,18 +2,20 @@
 #include "Pruning.h"
 
 #include "AxisEdges.h"
+#include "LivingCells.h"
 #include "PartCollapse.h"
 #include "Partition.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace medial
 {
 namespace
 {
-using Effect = LivingCells::Effect;
+using Effect = PartCollapse::Effect;
 
 void requireValid(const MedialAxis& axis, const PruneOptions& options)
 {
@@ -43,8 +45,30 @@ struct Round
   std::vector<double> significance;
   Measure measure;
   std::vector<char> gone;
-  IndexLists neighbors; ///< parts that share a point
+
+  /// Parts that share a point, ascending; made when asked for.
+  mutable std::vector<std::optional<std::vector<Index>>> neighbors;
 };
+
+/// For each part: does it touch no other?
+std::vector<char> wholePieces(const LivingCells& living, const Partition& partition)
+{
+  std::vector<char> result(partition.dimension.size(), 1);
+  for (Index p = 0; p < living.cellsOfPoint().size(); ++p)
+  {
+    Index last = None;
+    for (const Index cell : living.cellsOfPoint()[p])
+    {
+      const Index part = partition.partOfCell[cell];
+      if (part != None && last != None && part != last)
+      {
+        result[part] = result[last] = 0;
+      }
+      last = part == None ? last : part;
+    }
+  }
+  return result;
+}
 
 class Pruner
 {
@@ -55,8 +79,10 @@ public:
     , execution(how)
     , edges(axisEdges(input.cells))
     , living(input.cells, this->edges)
+    , collapse(this->living)
     , measures(input)
     , totalVolume(std::accumulate(input.ballVolumes.begin(), input.ballVolumes.end(), 0.0))
+    , visitedIn(input.points.size(), 0)
     , inherited(input.cells.size(), 0)
   {
     this->result.removedInIteration.assign(input.cells.size(), None);
@@ -76,9 +102,12 @@ public:
       this->removeByHand();
     }
     this->execution.report(1 - 1 / steps);
+    const Round round =
+      this->newRound(this->options.schedule.empty() ? Measure::TriangleCount
+                                                    : this->options.schedule.back().measure);
     this->result.axis = this->livingAxis();
     this->result.parts = decompose(this->result.axis);
-    this->explain();
+    this->explain(round);
     return std::move(this->result);
   }
 
@@ -103,8 +132,11 @@ private:
       {
         round = this->newRound(iteration.measure);
       }
-      changed = this->pass(round, iteration, 2, row) || changed;
-      round = this->newRound(iteration.measure);
+      if (this->pass(round, iteration, 2, row))
+      {
+        changed = true;
+        round = this->newRound(iteration.measure);
+      }
     }
     this->finish(row, round);
   }
@@ -179,7 +211,7 @@ private:
     {
       return count(cells) < this->living.size(); // something must stay
     }
-    return this->living.effectOfRemoving(cells) == Effect::None;
+    return this->collapse.effectOfRemoving(cells) == Effect::None;
   }
 
   void remove(Round& round, const std::vector<Index>& parts, PruneRow& row)
@@ -212,7 +244,7 @@ private:
     for (const Index part : parts)
     {
       sum = together(round.measure, sum, round.significance[part]);
-      for (const Index neighbor : round.neighbors[part])
+      for (const Index neighbor : this->neighbors(round, part))
       {
         if (!round.gone[neighbor] &&
           (heir == None || round.significance[neighbor] > round.significance[heir]))
@@ -231,7 +263,7 @@ private:
 
   /// The part and the smaller pieces that only it connects with the rest, if their significance is
   /// together at most the threshold; else empty.
-  std::vector<Index> branch(const Round& round, Index part, double threshold) const
+  std::vector<Index> branch(const Round& round, Index part, double threshold)
   {
     std::vector<Index> unit{ part };
     double sum = round.significance[part];
@@ -240,7 +272,7 @@ private:
     const auto wasVisited = [&visited](Index p) {
       return std::find(visited.begin(), visited.end(), p) != visited.end();
     };
-    for (const Index start : round.neighbors[part])
+    for (const Index start : this->neighbors(round, part))
     {
       if (round.gone[start] || wasVisited(start))
       {
@@ -255,18 +287,20 @@ private:
       {
         pieceSum = together(round.measure, pieceSum, round.significance[piece[i]]);
         large = together(round.measure, sum, pieceSum) > threshold || piece.size() > branchLimit;
-        for (const Index next : round.neighbors[piece[i]])
+        for (const Index next : this->neighbors(round, piece[i]))
         {
           const auto known = std::find(visited.begin(), visited.end(), next);
-          if (known == visited.end() && !round.gone[next])
+          if (known != visited.end())
+          {
+            // What an earlier, unfinished walk has seen belongs to the large rest.
+            const auto place = static_cast<std::size_t>(known - visited.begin());
+            large = large || (next != part && place < before);
+          }
+          else if (!round.gone[next])
           {
             visited.push_back(next);
             piece.push_back(next);
           }
-          // What an earlier, unfinished walk has seen belongs to the large rest.
-          large = large ||
-            (known != visited.end() && next != part &&
-              known - visited.begin() < static_cast<std::ptrdiff_t>(before));
         }
       }
       restIsLarge = restIsLarge || large;
@@ -279,11 +313,11 @@ private:
     return restIsLarge && unit.size() > 1 ? unit : std::vector<Index>();
   }
 
-  Round newRound(Measure measure) const
+  Round newRound(Measure measure)
   {
     Round round;
     round.measure = measure;
-    round.partition = partition(this->axis.cells, this->edges, this->living.mask());
+    round.partition = partition(this->living, 1);
     round.gone.assign(round.partition.dimension.size(), 0);
     round.significance = this->measures.significance(measure, round.partition);
     for (Index cell = 0; cell < count(this->inherited); ++cell)
@@ -294,58 +328,40 @@ private:
         value = together(measure, value, this->inherited[cell]);
       }
     }
-    round.neighbors = this->touchingParts(round.partition);
+    round.neighbors.resize(round.gone.size());
     return round;
   }
 
-  IndexLists touchingParts(const Partition& partition) const
+  const std::vector<Index>& neighbors(const Round& round, Index part)
   {
-    std::vector<std::vector<Index>> partsAt(this->axis.points.size());
-    const AxisCells& cells = this->axis.cells;
-    const auto add = [&](Index cell, const auto& points) {
-      const Index part = partition.partOfCell[cell];
-      for (const Index p : points)
+    if (round.neighbors[part])
+    {
+      return *round.neighbors[part];
+    }
+    std::vector<Index>& result = round.neighbors[part].emplace();
+    ++this->walks;
+    const auto visit = [&](Index p) {
+      for (const Index other : this->living.cellsOfPoint()[p])
       {
-        if (part != None && (partsAt[p].empty() || partsAt[p].back() != part))
+        const Index neighbor = round.partition.partOfCell[other];
+        if (neighbor != None && neighbor != part && (result.empty() || result.back() != neighbor))
         {
-          partsAt[p].push_back(part);
+          result.push_back(neighbor);
         }
       }
     };
-    for (Index v = 0; v < count(cells.vertices); ++v)
+    for (const Index cell : round.partition.cells[part])
     {
-      add(v, std::array<Index, 1>{ cells.vertices[v] });
-    }
-    for (Index e = 0; e < count(cells.edges); ++e)
-    {
-      add(cells.firstEdge() + e, cells.edges[e]);
-    }
-    for (Index t = 0; t < count(cells.triangles); ++t)
-    {
-      add(cells.firstTriangle() + t, cells.triangles[t]);
-    }
-    std::vector<std::vector<Index>> touching(partition.dimension.size());
-    for (const std::vector<Index>& at : partsAt)
-    {
-      for (const Index a : at)
-      {
-        for (const Index b : at)
+      forPoints(this->axis.cells, cell, [&](Index p) {
+        if (this->visitedIn[p] != this->walks)
         {
-          if (a != b)
-          {
-            touching[a].push_back(b);
-          }
+          this->visitedIn[p] = this->walks;
+          visit(p);
         }
-      }
+      });
     }
-    IndexLists result;
-    for (std::vector<Index>& list : touching)
-    {
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-      result.items.insert(result.items.end(), list.begin(), list.end());
-      result.close();
-    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 
@@ -398,25 +414,35 @@ private:
   {
     PruneRow row{};
     row.partsBefore = count(round.partition.dimension);
-    row.volumeRemoved = this->livingVolume(round);
+    row.volumeRemoved = this->livingVolume();
     return row;
   }
 
   void finish(PruneRow& row, const Round& round)
   {
     row.partsAfter = count(round.partition.dimension);
-    row.volumeRemoved -= this->livingVolume(round);
-    row.betti = this->livingAxis().betti;
+    row.volumeRemoved -= this->livingVolume();
+    row.betti = bettiNumbers(this->living, round.partition);
     this->result.history.push_back(row);
   }
 
-  double livingVolume(const Round& round) const
+  /// Of the balls that are, or whose owner is, at a point with living cells.
+  double livingVolume() const
   {
-    const std::vector<Index> partOf = partOfBall(this->axis, round.partition.partOfCell);
-    double sum = 0;
-    for (std::size_t b = 0; b < partOf.size(); ++b)
+    std::vector<char> kept(this->axis.ballOwner.size(), 0);
+    for (Index p = 0; p < this->living.cellsOfPoint().size(); ++p)
     {
-      sum += partOf[b] == None ? 0 : this->axis.ballVolumes[b];
+      const Index ball = this->axis.ballOfPoint[p];
+      if (ball != None && this->living.cellsAtPoint(p) > 0)
+      {
+        kept[ball] = 1;
+      }
+    }
+    double sum = 0;
+    for (std::size_t b = 0; b < kept.size(); ++b)
+    {
+      const Index owner = this->axis.ballOwner[b];
+      sum += owner != None && kept[owner] ? this->axis.ballVolumes[b] : 0;
     }
     return this->totalVolume > 0 ? sum / this->totalVolume : 0;
   }
@@ -424,7 +450,6 @@ private:
   /// The axis with the living cells alone; fills inputCell.
   MedialAxis livingAxis()
   {
-    this->result.inputCell.clear();
     for (Index c = 0; c < this->axis.cells.size(); ++c)
     {
       if (this->living.isLiving(c))
@@ -436,15 +461,15 @@ private:
   }
 
   /// Fills keepReason from the last iteration's point of view.
-  void explain()
+  void explain(const Round& round)
   {
     const PruneIteration last =
       this->options.schedule.empty() ? PruneIteration{} : this->options.schedule.back();
-    const Round round = this->newRound(last.measure);
+    const std::vector<char> isWhole = wholePieces(this->living, round.partition);
     for (Index part = 0; part < count(round.significance); ++part)
     {
       KeepReason reason = KeepReason::Topology;
-      if (round.neighbors[part].size() == 0)
+      if (isWhole[part])
       {
         reason = KeepReason::Isolated;
       }
@@ -472,11 +497,14 @@ private:
   const Execution& execution;
   AxisEdges edges;
   LivingCells living;
+  PartCollapse collapse;
   PartMeasures measures;
   double totalVolume;
   std::vector<Index> refusedCells; ///< named by hand, kept for topology
   bool countsTogether = false;     ///< what one part loses after the other
-  std::vector<double> inherited;   ///< by cell, in the measure of the iteration
+  std::vector<Index> visitedIn;    ///< for each point the last of the walks that came there
+  Index walks = 0;
+  std::vector<double> inherited; ///< by cell, in the measure of the iteration
   Pruned result;
 };
 }

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LivingCells.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace medial
+{
+namespace
+{
+IndexLists cellsOfPoints(const AxisCells& cells)
+{
+  const auto forAll = [&cells](const auto& body) {
+    for (Index c = 0; c < cells.size(); ++c)
+    {
+      forPoints(cells, c, [&](Index p) { body(p, c); });
+    }
+  };
+  Index highest = None;
+  forAll([&highest](Index p, Index) { highest = std::max(highest, p); });
+  IndexLists result;
+  result.offsets.assign(highest + 2, 0);
+  forAll([&result](Index p, Index) { ++result.offsets[p + 1]; });
+  std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
+  result.items.resize(result.offsets.back());
+  std::vector<Index> next = result.offsets;
+  forAll([&](Index p, Index c) { result.items[next[p]++] = c; });
+  return result;
+}
+}
+
+LivingCells::LivingCells(const AxisCells& axisCells, const AxisEdges& axisEdges)
+  : cells(axisCells)
+  , edges(axisEdges)
+  , living(axisCells.size(), 1)
+  , livingCount(axisCells.size())
+  , ofPoint(cellsOfPoints(axisCells))
+  , groups(axisCells.size())
+{
+  for (Index e = 0; e < this->edges.triangles.size(); ++e)
+  {
+    this->atEdge.push_back(this->edges.triangles[e].size());
+    this->joinAtEdge(e);
+  }
+  for (Index p = 0; p < this->ofPoint.size(); ++p)
+  {
+    this->atPoint.push_back(this->ofPoint[p].size());
+    this->joinAtPoint(p);
+  }
+}
+
+void LivingCells::remove(const std::vector<Index>& removed)
+{
+  for (const Index c : removed)
+  {
+    const bool isTriangle = c >= this->cells.firstTriangle();
+    this->living[c] = 0;
+    --this->livingCount;
+    const auto leaveEdge = [&](Index e) {
+      this->atEdge[e] -= isTriangle;
+      this->changedEdges.push_back(e);
+    };
+    const auto leavePoint = [&](Index p) {
+      --this->atPoint[p];
+      this->changedPoints.push_back(p);
+    };
+    forFaces(this->cells, this->edges, c, leaveEdge, leavePoint);
+  }
+}
+
+void LivingCells::join()
+{
+  for (const Index e : this->changedEdges)
+  {
+    this->joinAtEdge(e);
+  }
+  for (const Index p : this->changedPoints)
+  {
+    this->joinAtPoint(p);
+  }
+  this->changedEdges.clear();
+  this->changedPoints.clear();
+}
+
+void LivingCells::joinAtEdge(Index edge)
+{
+  Index first = None;
+  for (const Index t : this->edges.triangles[edge])
+  {
+    const Index cell = this->cells.firstTriangle() + t;
+    if (this->atEdge[edge] == 2 && this->living[cell])
+    {
+      this->groups.unite(first == None ? cell : first, cell);
+      first = cell;
+    }
+  }
+}
+
+void LivingCells::joinAtPoint(Index point)
+{
+  if (this->atPoint[point] != 2)
+  {
+    return;
+  }
+  Index first = None;
+  for (const Index cell : this->ofPoint[point])
+  {
+    const bool isDangling = cell >= this->cells.firstEdge() && cell < this->cells.firstTriangle();
+    if (isDangling && this->living[cell])
+    {
+      this->groups.unite(first == None ? cell : first, cell);
+      first = cell;
+    }
+  }
+}
+}

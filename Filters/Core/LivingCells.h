@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_LivingCells_h
+#define medial_LivingCells_h
+
+#include "AxisEdges.h"
+#include "DisjointSets.h"
+#include "MedialAxis.h"
+#include "Types.h"
+
+#include <vector>
+
+namespace medial
+{
+/// The cells of an axis that are still there, and what its edges and points see of them.
+class LivingCells
+{
+public:
+  /// All cells live.
+  /// @param axisCells, axisEdges  must outlive this
+  LivingCells(const AxisCells& axisCells, const AxisEdges& axisEdges);
+
+  const AxisCells& cells;
+  const AxisEdges& edges;
+
+  bool isLiving(Index cell) const { return this->living[cell]; }
+  Index size() const { return this->livingCount; }
+
+  /// How many live at an edge, at a point.
+  Index trianglesAtEdge(Index edge) const { return this->atEdge[edge]; }
+  Index cellsAtPoint(Index point) const { return this->atPoint[point]; }
+
+  /// For each point that had cells in the beginning those, ascending.
+  const IndexLists& cellsOfPoint() const { return this->ofPoint; }
+
+  /// @param removed  whole groups
+  void remove(const std::vector<Index>& removed);
+
+  /// Joins what has come together since the last time. Groups make the parts (paper 4.1): triangles
+  /// joined over edges with exactly two, dangling edges over points with two and nothing else.
+  void join();
+
+  /// The lowest cell of the group.
+  Index groupOf(Index cell) { return this->groups.find(cell); }
+
+private:
+  void joinAtEdge(Index edge);
+  void joinAtPoint(Index point);
+
+  std::vector<char> living;
+  Index livingCount;
+  std::vector<Index> atEdge, atPoint;
+  IndexLists ofPoint;
+  DisjointSets groups;
+  std::vector<Index> changedEdges, changedPoints; ///< since join()
+};
+
+/// Calls onEdge(edge) and onPoint(point) for what a cell uses.
+template <typename OnEdge, typename OnPoint>
+void forFaces(const AxisCells& cells, const AxisEdges& edges, Index cell, const OnEdge& onEdge,
+  const OnPoint& onPoint)
+{
+  if (cell >= cells.firstTriangle())
+  {
+    const Triangle& sides = edges.ofTriangle[cell - cells.firstTriangle()];
+    onEdge(sides[0]), onEdge(sides[1]), onEdge(sides[2]);
+  }
+  else if (cell >= cells.firstEdge())
+  {
+    onEdge(edges.ofDangling[cell - cells.firstEdge()]);
+  }
+  forPoints(cells, cell, onPoint);
+}
+}
+
+#endif
