@@ -68,11 +68,14 @@ struct Word
 constexpr Word words[] = {
   { 't', vtkMedialPrune::TRIANGLE_COUNT, Word::Count },
   { 'v', vtkMedialPrune::RELATIVE_VOLUME, Word::Percent },
+  { 'p', vtkMedialPrune::POLE_VOLUME, Word::Percent },
   { 'a', vtkMedialPrune::AREA, Word::Number },
   { 'm', vtkMedialPrune::MEAN_RADIUS, Word::Length },
   { 'r', vtkMedialPrune::MAXIMUM_RADIUS, Word::Length },
   { 'o', vtkMedialPrune::OBJECT_ANGLE, Word::Number },
   { 'l', vtkMedialPrune::LAMBDA, Word::Length },
+  { 'e', vtkMedialPrune::EROSION_THICKNESS, Word::Length },
+  { 'h', vtkMedialPrune::HAUSDORFF_DISTANCE, Word::Length },
 };
 
 Iteration parseIteration(const std::string& word)
@@ -249,11 +252,14 @@ solid's closed boundary; cells are ignored.
   --schedule "W W ..."   the iterations of pruning, in order (default: "t5 t5 v1%"):
                            tN   removes parts of at most N triangles
                            vP%  removes parts of at most P per cent of the volume
+                           pP%  ... of the volume of its poles alone, as in the paper
                            aX   ... of at most the area X
                            mX   ... of at most the mean radius X
                            rX   ... of at most the maximum radius X
                            oX   ... with a mean object angle of at most X degrees
                            lX   ... with a lambda of at most X: where the surface is near
+                           eX   ... of at most the erosion thickness X
+                           hX   ... that change the solid by a Hausdorff distance of at most X
                          Lengths and areas are in the unit of the samples; a length with %
                          is in per cent of the diagonal of the samples' bounding box.
                          An empty schedule prunes nothing.

@@ -13,6 +13,7 @@ constexpr const char* Radius = "Radius";
 constexpr const char* Side = "Side";
 constexpr const char* TouchesGuard = "TouchesGuard";
 constexpr const char* Volume = "Volume";
+constexpr const char* PoleVolume = "PoleVolume"; // and column of the table of parts
 // ... field data, one entry for each sample
 constexpr const char* Samples = "Samples";
 constexpr const char* DuplicateOf = "DuplicateOf";
@@ -39,9 +40,11 @@ constexpr const char* PolygonId = "PolygonId";
 constexpr const char* SiteSamples = "SiteSamples";
 constexpr const char* ObjectAngle = "ObjectAngle";
 constexpr const char* Lambda = "Lambda";
+constexpr const char* ErosionThickness = "ErosionThickness"; // and points
 // ... field data, one entry for each ball
 constexpr const char* BallOwner = "BallOwner";
 constexpr const char* BallVolume = "BallVolume";
+constexpr const char* BallPoleVolume = "BallPoleVolume";
 // ... field data, single values
 constexpr const char* BettiAxis = "BettiAxis";
 constexpr const char* Certificate = "Certificate";

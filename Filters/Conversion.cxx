@@ -59,7 +59,9 @@ vtkSmartPointer<vtkCellArray> cellArray(const Cells& cells)
   return result;
 }
 
-constexpr const char* TakePolarBalls = "take the output of vtkPolarBalls as it is";
+constexpr const char* TakePolarBalls =
+  "take the output of vtkPolarBalls as it is (files of an earlier version lack arrays: make them "
+  "again)";
 constexpr const char* TakeMedialAxis =
   "take the output of vtkMedialAxis or a later filter as it is (files of an earlier version lack "
   "arrays: make them again)";
@@ -341,6 +343,7 @@ void write(
   add<vtkUnsignedCharArray>(ballData, names::Side, balls.sides);
   add<vtkUnsignedCharArray>(ballData, names::TouchesGuard, balls.touchesGuard);
   add<vtkDoubleArray>(ballData, names::Volume, balls.volumes);
+  add<vtkDoubleArray>(ballData, names::PoleVolume, balls.poleVolumes);
   vtkFieldData* field = output->GetFieldData();
   field->PassData(input->GetFieldData());
   addSamples(field, balls);
@@ -365,6 +368,7 @@ PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
   }
   result.touchesGuard = points.flags(names::TouchesGuard, ballCount);
   result.volumes = points.reals(names::Volume, ballCount, 0);
+  result.poleVolumes = points.reals(names::PoleVolume, ballCount, 0);
 
   const std::vector<double> samples =
     field.reals(names::Samples, AnyCount, std::numeric_limits<double>::lowest(), 3);
@@ -399,15 +403,18 @@ void write(const MedialAxis& axis, vtkUnstructuredGrid* balls, vtkPolyData* outp
   add<vtkIdTypeArray>(pointData, names::BallId, axis.ballOfPoint);
   add<vtkDoubleArray>(pointData, names::Radius, axis.radii);
   add<vtkDoubleArray>(pointData, names::MaximumInscribedSphereRadius, axis.radii);
+  add<vtkDoubleArray>(pointData, names::ErosionThickness, axis.erosion);
   vtkCellData* cells = output->GetCellData();
   add<vtkIdTypeArray>(cells, names::PolygonId, axis.polygonOfCell);
   cells->AddArray(tuples<vtkIdTypeArray>(names::SiteSamples, 2, axis.samplesOfCell));
   add<vtkDoubleArray>(cells, names::ObjectAngle, axis.siteViews, &SiteView::objectAngle);
   add<vtkDoubleArray>(cells, names::Lambda, axis.siteViews, &SiteView::lambda);
+  add<vtkDoubleArray>(cells, names::ErosionThickness, axis.cellErosion);
   vtkFieldData* field = output->GetFieldData();
   field->PassData(balls->GetFieldData());
   add<vtkIdTypeArray>(field, names::BallOwner, axis.ballOwner);
   add<vtkDoubleArray>(field, names::BallVolume, axis.ballVolumes);
+  add<vtkDoubleArray>(field, names::BallPoleVolume, axis.poleVolumes);
   addBetti(field, names::BettiPowerShape, axis.powerShapeBetti);
   addTopology(field, axis);
   addOne<vtkUnsignedCharArray>(field, names::Fallback, axis.fallback);
@@ -426,9 +433,11 @@ MedialAxis readMedialAxis(vtkPolyData* input)
   const Index ballCount = count(result.ballOwner);
   result.ballOwner = field.indices(names::BallOwner, ballCount, None, ballCount);
   result.ballVolumes = field.reals(names::BallVolume, ballCount, 0);
+  result.poleVolumes = field.reals(names::BallPoleVolume, ballCount, 0);
   result.points = readFinitePoints(input, TakeMedialAxis);
   result.radii = points.reals(names::Radius, pointCount, 0);
   result.ballOfPoint = points.indices(names::BallId, pointCount, None, ballCount);
+  result.erosion = points.reals(names::ErosionThickness, pointCount, 0);
   result.cells = readAxisCells(input, pointCount);
   const Index cellCount = result.cells.size();
   result.polygonOfCell = cells.indices(names::PolygonId, cellCount, None, Largest);
@@ -439,6 +448,7 @@ MedialAxis readMedialAxis(vtkPolyData* input)
   {
     result.siteViews.push_back({ angles[cell], lambdas[cell] });
   }
+  result.cellErosion = cells.reals(names::ErosionThickness, cellCount, 0);
   result.powerShapeBetti = field.betti(names::BettiPowerShape);
   result.betti = field.betti(names::BettiAxis);
   result.certificate = field.flags(names::Certificate, 1).front() != 0;

@@ -16,6 +16,8 @@
  *  - `BallId` (vtkIdType): the ball centred there, a point of the input; or -1.
  *  - `Radius`, `MaximumInscribedSphereRadius` (double, > 0): of the maximal ball, unit of the
  *    samples. The same values twice; other tools know the second name.
+ *  - `ErosionThickness` (double, >= 0, unit of the samples): burn time - radius, when everything at the
+ *    point has burnt, see README.md.
  *
  * Cell data
  *  - `PolygonId` (vtkIdType): triangles of one face have the same; -1 for lines and vertices.
@@ -27,11 +29,13 @@
  *    meet stand for them.
  *  - `Lambda` (double, unit of the samples): the largest distance of two of the cell's sites; 0 where
  *    the spheres don't meet.
+ *  - `ErosionThickness` (double, >= 0): the largest at its corners, when the fire comes there in the
+ *    cell's own sheet.
  *
  * Field data, one entry for each ball (point of the input)
  *  - `BallOwner` (vtkIdType): itself where it is on the axis; for an inner ball off the axis the ball
  *    on the axis whose fate it shares; else -1.
- *  - `BallVolume` (double): `Volume` of the input.
+ *  - `BallVolume`, `BallPoleVolume` (double): `Volume` and `PoleVolume` of the input.
  *
  * Field data, single values
  *  - `BettiPowerShape`, `BettiAxis` (vtkIdType, 3 components): pieces, tunnels and voids of the

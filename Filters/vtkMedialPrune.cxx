@@ -13,11 +13,14 @@
 
 static_assert(vtkMedialPrune::TRIANGLE_COUNT == static_cast<int>(medial::Measure::TriangleCount) &&
     vtkMedialPrune::RELATIVE_VOLUME == static_cast<int>(medial::Measure::RelativeVolume) &&
+    vtkMedialPrune::POLE_VOLUME == static_cast<int>(medial::Measure::PoleVolume) &&
     vtkMedialPrune::AREA == static_cast<int>(medial::Measure::Area) &&
     vtkMedialPrune::MEAN_RADIUS == static_cast<int>(medial::Measure::MeanRadius) &&
     vtkMedialPrune::MAXIMUM_RADIUS == static_cast<int>(medial::Measure::MaximumRadius) &&
     vtkMedialPrune::OBJECT_ANGLE == static_cast<int>(medial::Measure::ObjectAngle) &&
     vtkMedialPrune::LAMBDA == static_cast<int>(medial::Measure::Lambda) &&
+    vtkMedialPrune::EROSION_THICKNESS == static_cast<int>(medial::Measure::ErosionThickness) &&
+    vtkMedialPrune::HAUSDORFF_DISTANCE == static_cast<int>(medial::Measure::HausdorffDistance) &&
     vtkMedialPrune::COLLAPSE == static_cast<int>(medial::Topology::Collapse) &&
     vtkMedialPrune::NONE == static_cast<int>(medial::Topology::None),
   "measures and the property Topology are cast to the core's enums");

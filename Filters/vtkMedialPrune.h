@@ -8,7 +8,7 @@
  * least significant first. What the measures are: README.md. By default the removal never changes the Betti numbers: a part may go if
  * and only if it collapses, by free faces, onto its contact with the rest. Passes are repeated; a
  * part takes over the significance of what was removed from it before, so that a long feature isn't
- * eaten up from its end (not so for radii, which don't add up). With one pass, or without topology, each part counts alone.
+ * eaten up from its end (not so by measures that don't add up). With one pass, or without topology, each part counts alone.
  *
  * Input: vtkPolyData, the output of vtkMedialAxis, vtkMedialPartDecomposition or vtkMedialPrune.
  *
@@ -60,20 +60,24 @@ public:
   {
     TRIANGLE_COUNT = 0,
     RELATIVE_VOLUME = 1,
+    POLE_VOLUME = 2,
     AREA = 3,
     MEAN_RADIUS = 4,
     MAXIMUM_RADIUS = 5,
     OBJECT_ANGLE = 6,
-    LAMBDA = 7
+    LAMBDA = 7,
+    EROSION_THICKNESS = 8,
+    HAUSDORFF_DISTANCE = 9
   };
 
   ///@{
   /**
    * The schedule. An iteration removes parts whose measure is at most the threshold, and repeats that
    * `passes` times, or until nothing changes where passes is 0. Thresholds are numbers of triangles
-   * (TRIANGLE_COUNT), shares of the solid's volume (RELATIVE_VOLUME, 0 ... 1), lengths in the unit of
-   * the samples (MEAN_RADIUS, MAXIMUM_RADIUS) or its square (AREA). Default: twice TRIANGLE_COUNT up to 5, then RELATIVE_VOLUME up to
-   * 0.01 (t5 t5 v1%), passes 0. Clear it before adding your own iterations.
+   * (TRIANGLE_COUNT), shares of the solid's volume (RELATIVE_VOLUME, POLE_VOLUME), degrees
+   * (OBJECT_ANGLE), square units of the samples (AREA), or lengths in their unit (the others).
+   * Default: twice TRIANGLE_COUNT up to 5, then RELATIVE_VOLUME up to 0.01 (t5 t5 v1%), passes 0.
+   * Clear it before adding your own iterations.
    */
   void ClearIterations();
   void AddIteration(int measure, double threshold, int passes = 0);

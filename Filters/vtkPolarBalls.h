@@ -18,6 +18,7 @@
  *  - `Side` (unsigned char): 0 outer, 1 inner, 2 hidden (it has no cell in the power diagram).
  *  - `TouchesGuard` (unsigned char, 0 or 1): it passes through a corner of the cube around the samples.
  *  - `Volume` (double): of the Delaunay cells it stands for; 0 where it is not inner.
+ *  - `PoleVolume` (double): of those whose circumsphere the ball is.
  *
  * Field data, one entry for each sample, in the order of the input
  *  - `Samples` (double, 3 components): where it is.

@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Small complexes made by hand, as medial axes: every point is a ball of radius 1 and volume 1,
-/// every cell has its sites on the two sides.
+/// every cell has its sites on the two sides. Nothing has burnt.
 namespace complexes
 {
 using medial::AxisCells;
@@ -38,6 +38,7 @@ inline MedialAxis axisOf(std::vector<Point> points, AxisCells cells)
     axis.ballOwner.push_back(i);
   }
   axis.ballVolumes.assign(pointCount, 1);
+  axis.poleVolumes.assign(pointCount, 1);
   axis.cells = std::move(cells);
   axis.polygonOfCell.assign(static_cast<std::size_t>(axis.cells.size()), None);
   axis.samplesOfCell.assign(static_cast<std::size_t>(axis.cells.size()), Edge{ None, None });
@@ -46,6 +47,8 @@ inline MedialAxis axisOf(std::vector<Point> points, AxisCells cells)
   {
     axis.polygonOfCell[axis.cells.firstTriangle() + t] = t;
   }
+  axis.erosion.assign(pointCount, 0);
+  axis.cellErosion.assign(static_cast<std::size_t>(axis.cells.size()), 0);
   axis.betti = axis.powerShapeBetti = validators::bettiNumbers(complexOf(axis.cells));
   axis.certificate = true;
   axis.fallback = false;

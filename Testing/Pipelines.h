@@ -263,7 +263,8 @@ inline std::string bytesOf(const medial::PolarBalls& b)
 {
   Bytes bytes;
   bytes.add(b.samples).add(b.duplicateOf).add(b.innerBall).add(b.outerBall).add(b.samplingQuality);
-  bytes.add(b.balls).add(b.sides).add(b.touchesGuard).add(b.volumes).add(b.ballSamples);
+  bytes.add(b.balls).add(b.sides).add(b.touchesGuard).add(b.volumes).add(b.poleVolumes);
+  bytes.add(b.ballSamples);
   return bytes.add(b.spacing).add(b.cells).text;
 }
 
@@ -275,14 +276,19 @@ inline std::string bytesOf(const medial::SingularPoints& s)
 inline std::string bytesOf(const medial::MedialAxis& a)
 {
   Bytes bytes;
-  bytes.add(a.points).add(a.radii).add(a.ballOfPoint);
+  bytes.add(a.points).add(a.radii).add(a.ballOfPoint).add(a.erosion).add(a.cellErosion);
   bytes.add(a.cells.vertices).add(a.cells.edges).add(a.cells.triangles);
   bytes.add(a.polygonOfCell)
     .add(a.samplesOfCell)
     .add(a.siteViews)
     .add(a.ballOwner)
     .add(a.ballVolumes);
-  bytes.add(a.powerShapeBetti).add(a.betti).add(a.certificate).add(a.fallback).add(a.kappa);
+  bytes.add(a.poleVolumes)
+    .add(a.powerShapeBetti)
+    .add(a.betti)
+    .add(a.certificate)
+    .add(a.fallback)
+    .add(a.kappa);
   return bytes.text;
 }
 
@@ -346,6 +352,7 @@ inline medial::PolarBalls inUnits(medial::PolarBalls b, double factor)
     ball = { ball.center * factor, ball.radius * factor };
   }
   b.volumes = times(b.volumes, factor * factor * factor);
+  b.poleVolumes = times(b.poleVolumes, factor * factor * factor);
   return b;
 }
 
@@ -354,6 +361,9 @@ inline medial::MedialAxis inUnits(medial::MedialAxis a, double factor)
   a.points = shapes::scaled(a.points, factor);
   a.radii = times(a.radii, factor);
   a.ballVolumes = times(a.ballVolumes, factor * factor * factor);
+  a.poleVolumes = times(a.poleVolumes, factor * factor * factor);
+  a.erosion = times(a.erosion, factor);
+  a.cellErosion = times(a.cellErosion, factor);
   for (medial::SiteView& view : a.siteViews)
   {
     view.lambda *= factor;

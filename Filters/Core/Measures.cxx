@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Measures.h"
 
+#include "BallTree.h"
 #include "MedialParts.h"
 
 #include <Eigen/Geometry>
@@ -64,11 +65,14 @@ const std::vector<MeasureTraits>& allMeasures()
   static const std::vector<MeasureTraits> all{
     { Measure::TriangleCount, "TriangleCount", "1", true },
     { Measure::RelativeVolume, "RelativeVolume", "1", true },
+    { Measure::PoleVolume, "PoleVolume", "1", true },
     { Measure::Area, "Area", "area", true },
     { Measure::MeanRadius, "MeanRadius", "length", false },
     { Measure::MaximumRadius, "MaximumRadius", "length", false },
     { Measure::ObjectAngle, "ObjectAngle", "degrees", false },
     { Measure::Lambda, "Lambda", "length", false },
+    { Measure::ErosionThickness, "ErosionThickness", "length", false },
+    { Measure::HausdorffDistance, "HausdorffDistance", "length", true },
   };
   return all;
 }
@@ -76,9 +80,7 @@ const std::vector<MeasureTraits>& allMeasures()
 const MeasureTraits* findMeasure(int number)
 {
   const std::vector<MeasureTraits>& all = allMeasures();
-  const auto found = std::find_if(all.begin(), all.end(),
-    [number](const MeasureTraits& traits) { return static_cast<int>(traits.measure) == number; });
-  return found == all.end() ? nullptr : &*found;
+  return number >= 0 && number < count(all) ? &all[number] : nullptr;
 }
 
 double together(Measure measure, double a, double b)
@@ -112,6 +114,59 @@ std::vector<double> PartMeasures::ofVolumes(const Partition& partition) const
     if (partOf[b] != None && this->solidVolume > 0)
     {
       result[partOf[b]] += this->axis.ballVolumes[b] / this->solidVolume;
+    }
+  }
+  return result;
+}
+
+std::vector<double> PartMeasures::poleVolumes(const Partition& partition) const
+{
+  std::vector<double> result(partition.cells.size(), 0);
+  std::vector<Index> last(this->axis.poleVolumes.size(), None); // a ball can be at several points
+  forEachPoint(this->axis, partition, [&](Index part, Index p) {
+    const Index ball = this->axis.ballOfPoint[p];
+    if (ball != None && last[ball] != part && this->solidVolume > 0)
+    {
+      last[ball] = part;
+      result[part] += this->axis.poleVolumes[ball] / this->solidVolume;
+    }
+  });
+  return result;
+}
+
+std::vector<double> PartMeasures::hausdorffDistances(const Partition& partition) const
+{
+  const Index shared = partition.cells.size();
+  std::vector<Index> partOf(this->axis.ballOwner.size(), None); // the only one that holds it
+  std::vector<Index> pointOf(partOf.size(), None);
+  forEachPoint(this->axis, partition, [&](Index part, Index p) {
+    const Index ball = this->axis.ballOfPoint[p];
+    if (ball != None)
+    {
+      partOf[ball] = partOf[ball] == None || partOf[ball] == part ? part : shared;
+      pointOf[ball] = p;
+    }
+  });
+  std::vector<Ball> balls;
+  std::vector<Index> groups;
+  for (Index b = 0; b < count(partOf); ++b)
+  {
+    if (partOf[b] != None)
+    {
+      balls.push_back({ this->axis.points[pointOf[b]], this->axis.radii[pointOf[b]] });
+      groups.push_back(partOf[b]);
+    }
+  }
+  const double diagonal = boundingDiagonal(balls);
+  const BallTree tree(balls, groups);
+  std::vector<double> result(partition.cells.size(), 0);
+  for (Index i = 0; i < count(balls); ++i)
+  {
+    if (groups[i] != shared)
+    {
+      double& largest = result[groups[i]];
+      largest =
+        std::max(largest, std::min(diagonal, tree.protrusion(balls[i], groups[i], largest)));
     }
   }
   return result;
@@ -156,6 +211,13 @@ std::vector<double> PartMeasures::significance(Measure measure, const Partition&
     case Measure::Lambda:
       return overCells(partition,
         [&](double most, Index cell) { return std::max(most, this->axis.siteViews[cell].lambda); });
+    case Measure::PoleVolume:
+      return this->poleVolumes(partition);
+    case Measure::ErosionThickness:
+      return overCells(partition,
+        [&](double most, Index cell) { return std::max(most, this->axis.cellErosion[cell]); });
+    case Measure::HausdorffDistance:
+      return this->hausdorffDistances(partition);
   }
   return {};
 }

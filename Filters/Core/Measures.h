@@ -15,11 +15,18 @@ enum class Measure
 {
   TriangleCount = 0,  ///< number of triangles, lines or vertices
   RelativeVolume = 1, ///< volume of its balls' Delaunay cells / volume of the solid, 0 ... 1
+  PoleVolume = 2,     ///< the same of the poles at its points alone, shared ones in every part
   Area = 3,           ///< of its triangles; 0 for lines and vertices
   MeanRadius = 4,     ///< of the maximal balls at its points, each point once
   MaximumRadius = 5,  ///< of the maximal balls at its points
   ObjectAngle = 6,    ///< mean over its cells, by area or length; 0 ... 180 degrees
-  Lambda = 7 ///< largest of its cells: the lambda axis ([CL05]) has cells above a threshold
+  Lambda = 7, ///< largest of its cells; the lambda axis ([CL05]) has the points above a value
+  ErosionThickness = 8, ///< largest of its cells, of the axis before pruning ([YSC16])
+  /// How far, at most, the union of the polar balls on the axis recedes where the part goes: the
+  /// largest, over the balls that only this part holds, of the least, over the others, of distance +
+  /// radius - other radius, if above 0. Exact where one ball covers best, else an upper bound. The
+  /// diagonal of their bounding box for a part that holds them all.
+  HausdorffDistance = 9
 };
 
 /// How a measure behaves, and what it is called.
@@ -28,7 +35,7 @@ struct MeasureTraits
   Measure measure;
   const char* name; ///< column of the table of parts
   const char* unit; ///< 1, length, area, degrees
-  bool addsUp;      ///< the value of several parts is the sum of theirs; else the largest
+  bool addsUp;      ///< the value of several parts is (at most) the sum of theirs; else the largest
 };
 
 /// All measures in the order of their numbers.
@@ -53,7 +60,9 @@ public:
 
 private:
   std::vector<double> ofVolumes(const Partition& partition) const;
+  std::vector<double> poleVolumes(const Partition& partition) const;
   std::vector<double> objectAngles(const Partition& partition) const;
+  std::vector<double> hausdorffDistances(const Partition& partition) const;
 
   const MedialAxis& axis;
   std::vector<double> sizes; ///< of each cell: area, length, 1

@@ -3,6 +3,7 @@
 
 #include "Carving.h"
 #include "DualComplex.h"
+#include "Erosion.h"
 #include "Frame.h"
 #include "PowerShape.h"
 #include "ShapeCollapse.h"
@@ -155,6 +156,7 @@ MedialAxis withCells(const MedialAxis& axis, const std::vector<Index>& cells)
   result.polygonOfCell = chosen(axis.polygonOfCell);
   result.samplesOfCell = chosen(axis.samplesOfCell);
   result.siteViews = chosen(axis.siteViews);
+  result.cellErosion = chosen(axis.cellErosion);
   for (const Index cell : cells)
   {
     if (cell < axis.cells.firstEdge())
@@ -198,6 +200,10 @@ MedialAxis medialAxis(
   axis.certificate = axis.betti == shape.betti;
   axis.ballOwner = owners(polarBalls, axis.ballOfPoint);
   axis.ballVolumes = polarBalls.volumes;
+  axis.poleVolumes = polarBalls.poleVolumes;
+  Erosion thickness = erosion(axis);
+  axis.erosion = std::move(thickness.ofPoint);
+  axis.cellErosion = std::move(thickness.ofCell);
   execution.report(1);
   return axis;
 }

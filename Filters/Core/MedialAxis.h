@@ -52,6 +52,7 @@ struct MedialAxis
   std::vector<Point> points;
   std::vector<double> radii;      ///< of the maximal ball centred there, unit of the samples
   std::vector<Index> ballOfPoint; ///< the polar ball centred there, or None
+  std::vector<double> erosion;    ///< Erosion::ofPoint of the axis as it was made
 
   AxisCells cells;
   // One entry for each cell.
@@ -59,11 +60,13 @@ struct MedialAxis
   std::vector<Edge> samplesOfCell;  ///< the two sites the cell is equally far from, where they are
                                     ///< samples, else None
   std::vector<SiteView> siteViews;
+  std::vector<double> cellErosion; ///< Erosion::ofCell of the axis as it was made
 
   // One entry for each polar ball.
   std::vector<Index> ballOwner; ///< itself if on the axis; for an inner ball off the axis the ball
                                 ///< on the axis whose fate it shares; None for other balls
   std::vector<double> ballVolumes; ///< PolarBalls::volumes
+  std::vector<double> poleVolumes; ///< PolarBalls::poleVolumes
 
   Betti powerShapeBetti;
   Betti betti;      ///< of points and cells above, computed from them

@@ -284,7 +284,8 @@ void collectSamples(const Spheres& spheres, const std::vector<Index>& ballOfCell
 }
 
 /// Adds the volume of every inner Delaunay cell to one inner ball: its own, else of the balls of its
-/// samples the one with the least power at its centroid (no volume where that is outside).
+/// samples the one with the least power at its centroid (no volume where that is outside). Its own is
+/// a pole's.
 void measureVolumes(const Spheres& spheres, const std::vector<Index>& ballOfCell,
   const std::vector<std::array<Index, 2>>& ballsOfSample, PolarBalls& result,
   const Execution& execution)
@@ -318,11 +319,13 @@ void measureVolumes(const Spheres& spheres, const std::vector<Index>& ballOfCell
     }
   });
   result.volumes.assign(result.balls.size(), 0);
+  result.poleVolumes.assign(result.balls.size(), 0);
   for (Index c = 0; c < count(nearest); ++c)
   {
     if (nearest[c] != None && result.sides[nearest[c]] == Side::Inner)
     {
       result.volumes[nearest[c]] += spheres.cellVolumes[c];
+      result.poleVolumes[nearest[c]] += nearest[c] == ballOfCell[c] ? spheres.cellVolumes[c] : 0;
     }
   }
 }
@@ -442,9 +445,12 @@ PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execut
   result.spacing = meanSpacing(spheres) * unit;
   std::transform(result.balls.begin(), result.balls.end(), result.balls.begin(),
     [&](const Ball& ball) { return distinct.frame.toWorld(ball); });
-  for (double& volume : result.volumes)
+  for (std::vector<double>* volumes : { &result.volumes, &result.poleVolumes })
   {
-    volume *= unit * unit * unit;
+    for (double& volume : *volumes)
+    {
+      volume *= unit * unit * unit;
+    }
   }
   execution.report(1);
   return result;

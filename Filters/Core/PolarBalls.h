@@ -27,9 +27,10 @@ struct PolarBalls
   // One entry for each ball.
   std::vector<Ball> balls;
   std::vector<Side> sides;
-  std::vector<char> touchesGuard; ///< passes through a corner of the cube around the samples
-  std::vector<double> volumes;    ///< of the Delaunay cells it stands for; 0 where not inner
-  IndexLists ballSamples;         ///< all samples on its sphere, ascending
+  std::vector<char> touchesGuard;  ///< passes through a corner of the cube around the samples
+  std::vector<double> volumes;     ///< of the Delaunay cells it stands for; 0 where not inner
+  std::vector<double> poleVolumes; ///< the same of the Delaunay cells on the very ball (paper 4.2)
+  IndexLists ballSamples;          ///< all samples on its sphere, ascending
 
   double spacing = 0; ///< mean distance of a distinct sample to the nearest other one
 

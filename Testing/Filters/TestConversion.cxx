@@ -75,6 +75,7 @@ TEST(Conversion, ReadsThePolarBallsThatItWrote)
   EXPECT_EQ(read.sides, written.sides);
   EXPECT_EQ(read.touchesGuard, written.touchesGuard);
   EXPECT_EQ(read.volumes, written.volumes);
+  EXPECT_EQ(read.poleVolumes, written.poleVolumes);
   EXPECT_EQ(read.ballSamples.offsets, written.ballSamples.offsets);
   EXPECT_EQ(read.ballSamples.items, written.ballSamples.items);
   EXPECT_EQ(read.spacing, written.spacing);
@@ -97,6 +98,9 @@ TEST(Conversion, ReadsTheMedialAxisThatItWrote)
     written.siteViews.end(), sameView));
   EXPECT_EQ(read.ballOwner, written.ballOwner);
   EXPECT_EQ(read.ballVolumes, written.ballVolumes);
+  EXPECT_EQ(read.poleVolumes, written.poleVolumes);
+  EXPECT_EQ(read.erosion, written.erosion);
+  EXPECT_EQ(read.cellErosion, written.cellErosion);
   EXPECT_EQ(read.powerShapeBetti, written.powerShapeBetti);
   EXPECT_EQ(read.betti, written.betti);
   EXPECT_EQ(read.certificate, written.certificate);
@@ -106,7 +110,7 @@ TEST(Conversion, ReadsTheMedialAxisThatItWrote)
 
 TEST(Conversion, TellsWhatToDoWithFilesOfAnEarlierVersion)
 {
-  for (const char* name : { "ObjectAngle", "Lambda" })
+  for (const char* name : { "ObjectAngle", "Lambda", "ErosionThickness" })
   {
     const vtkSmartPointer<vtkPolyData> data = axisData();
     data->GetCellData()->RemoveArray(name);
@@ -130,6 +134,7 @@ TEST(Conversion, ReadsVerticesEdgesAndTriangles)
   axis.cells = { { 0, 5 }, { { 1, 2 } }, { { 2, 3, 4 }, { 2, 4, 6 } } };
   axis.polygonOfCell = { medial::None, medial::None, medial::None, 0, 0 };
   axis.samplesOfCell.assign(5, { medial::None, 7 });
+  axis.cellErosion = { 0, 1, 2, 3, 4 };
   axis.siteViews = { { 180, 1 }, { 0, 0 }, { 120, 2 }, { 90, 3 }, { 60, 4 } };
   vtkNew<vtkPolyData> data;
   medial::write(axis, ballGrid(), data);

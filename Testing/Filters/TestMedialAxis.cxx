@@ -34,15 +34,15 @@ TEST(MedialAxis, HasTheArraysOfItsHeader)
 {
   vtkPolyData* axis = boxPipeline().axis->GetOutput();
   EXPECT_EQ(arrays(axis->GetPointData()),
-    (std::vector<std::string>{
-      "BallId idtype 1", "MaximumInscribedSphereRadius double 1", "Radius double 1" }));
+    (std::vector<std::string>{ "BallId idtype 1", "ErosionThickness double 1",
+      "MaximumInscribedSphereRadius double 1", "Radius double 1" }));
   EXPECT_EQ(arrays(axis->GetCellData()),
-    (std::vector<std::string>{
-      "Lambda double 1", "ObjectAngle double 1", "PolygonId idtype 1", "SiteSamples idtype 2" }));
+    (std::vector<std::string>{ "ErosionThickness double 1", "Lambda double 1",
+      "ObjectAngle double 1", "PolygonId idtype 1", "SiteSamples idtype 2" }));
   std::vector<std::string> expected = arrays(boxPipeline().balls->GetOutput()->GetFieldData());
-  for (const char* array : { "BallOwner idtype 1", "BallVolume double 1", "BettiAxis idtype 3",
-         "Certificate unsigned char 1", "Fallback unsigned char 1", "Kappa double 1",
-         "NumberOfOffAxisBalls idtype 1" })
+  for (const char* array : { "BallOwner idtype 1", "BallPoleVolume double 1", "BallVolume double 1",
+         "BettiAxis idtype 3", "Certificate unsigned char 1", "Fallback unsigned char 1",
+         "Kappa double 1", "NumberOfOffAxisBalls idtype 1" })
   {
     expected.emplace_back(array);
   }

@@ -37,9 +37,9 @@ TEST(MedialPartDecomposition, AddsTheArraysOfItsHeader)
   vtkPolyData *axis = boxPipeline().axis->GetOutput(), *parts = boxPipeline().parts->GetOutput();
   EXPECT_EQ(arrays(parts->GetPointData()), arrays(axis->GetPointData()));
   EXPECT_EQ(arrays(parts->GetCellData()),
-    (std::vector<std::string>{ "Lambda double 1", "ObjectAngle double 1", "PartId idtype 1",
-      "PartLevel int 1", "PolygonId idtype 1", "RelativeVolume double 1", "SiteSamples idtype 2",
-      "TriangleCount idtype 1" }));
+    (std::vector<std::string>{ "ErosionThickness double 1", "Lambda double 1",
+      "ObjectAngle double 1", "PartId idtype 1", "PartLevel int 1", "PolygonId idtype 1",
+      "RelativeVolume double 1", "SiteSamples idtype 2", "TriangleCount idtype 1" }));
   std::vector<std::string> expected = arrays(axis->GetFieldData());
   expected.emplace_back("NumberOfParts idtype 1");
   std::sort(expected.begin(), expected.end());

@@ -48,9 +48,10 @@ TEST(MedialPrune, HasTheArraysOfItsHeader)
   EXPECT_EQ(arrays(pruned->GetPointData()), arrays(parts->GetPointData()));
   EXPECT_EQ(arrays(pruned->GetFieldData()), arrays(parts->GetFieldData()));
   EXPECT_EQ(arrays(pruned->GetCellData()),
-    (std::vector<std::string>{ "KeepReason unsigned char 1", "Lambda double 1",
-      "ObjectAngle double 1", "PartId idtype 1", "PartLevel int 1", "PolygonId idtype 1",
-      "RelativeVolume double 1", "SiteSamples idtype 2", "TriangleCount idtype 1" }));
+    (std::vector<std::string>{ "ErosionThickness double 1", "KeepReason unsigned char 1",
+      "Lambda double 1", "ObjectAngle double 1", "PartId idtype 1", "PartLevel int 1",
+      "PolygonId idtype 1", "RelativeVolume double 1", "SiteSamples idtype 2",
+      "TriangleCount idtype 1" }));
 }
 
 TEST(MedialPrune, HasTheColumnsOfItsHeader)
@@ -66,9 +67,9 @@ TEST(MedialPrune, HasTheArraysOfItsHeaderOnWhatItRemoved)
 {
   vtkPolyData* cells = removed(boxPipeline().prune);
   EXPECT_EQ(arrays(cells->GetCellData()),
-    (std::vector<std::string>{ "Iteration idtype 1", "Lambda double 1", "ObjectAngle double 1",
-      "PartId idtype 1", "PartLevel int 1", "PolygonId idtype 1", "RelativeVolume double 1",
-      "SiteSamples idtype 2", "TriangleCount idtype 1" }));
+    (std::vector<std::string>{ "ErosionThickness double 1", "Iteration idtype 1", "Lambda double 1",
+      "ObjectAngle double 1", "PartId idtype 1", "PartLevel int 1", "PolygonId idtype 1",
+      "RelativeVolume double 1", "SiteSamples idtype 2", "TriangleCount idtype 1" }));
   EXPECT_GT(cells->GetNumberOfCells(), 0);
 }
 
