@@ -166,7 +166,7 @@ std::string scheduleLines(const Pipeline& pipeline, const Arguments& arguments)
         << " -> " << grouped(value("PartsAfter")) << " parts";
     if (value("Refused") > 0)
     {
-      out << ", " << grouped(value("Refused")) << " kept for the topology";
+      out << ", " << grouped(value("Refused")) << " kept";
     }
     out << '\n';
   }

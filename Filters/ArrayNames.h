@@ -92,6 +92,10 @@ constexpr const char* PartsAfter = "PartsAfter";
 constexpr const char* Candidates = "Candidates";
 constexpr const char* Removed = "Removed";
 constexpr const char* Refused = "Refused";
+constexpr const char* RefusedByTopology = "RefusedByTopology";
+constexpr const char* RefusedIsolated = "RefusedIsolated";
+constexpr const char* RefusedProtected = "RefusedProtected";
+constexpr const char* TopologyChanges = "TopologyChanges";
 constexpr const char* Betti = "Betti";
 constexpr const char* VolumeRemoved = "VolumeRemoved";
 

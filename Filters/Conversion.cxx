@@ -23,9 +23,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <ostream>
 #include <set>
+#include <sstream>
 
 namespace medial
 {
@@ -322,6 +324,10 @@ void addHistory(vtkFieldData* rows, const std::vector<PruneRow>& history)
   add<vtkIdTypeArray>(rows, names::Candidates, history, &PruneRow::candidates);
   add<vtkIdTypeArray>(rows, names::Removed, history, &PruneRow::removed);
   add<vtkIdTypeArray>(rows, names::Refused, history, &PruneRow::refused);
+  add<vtkIdTypeArray>(rows, names::RefusedByTopology, history, &PruneRow::refusedByTopology);
+  add<vtkIdTypeArray>(rows, names::RefusedIsolated, history, &PruneRow::refusedIsolated);
+  add<vtkIdTypeArray>(rows, names::RefusedProtected, history, &PruneRow::refusedProtected);
+  add<vtkIdTypeArray>(rows, names::TopologyChanges, history, &PruneRow::topologyChanges);
   rows->AddArray(tuples<vtkIdTypeArray>(
     names::Betti, 3, history, [](const PruneRow& row) { return row.betti; }));
   add<vtkDoubleArray>(rows, names::VolumeRemoved, history, &PruneRow::volumeRemoved);
@@ -520,8 +526,8 @@ std::vector<Index> readParts(vtkPolyData* axis)
                                   : std::vector<Index>();
 }
 
-std::vector<Index> readCells(
-  vtkPolyData* axis, const std::vector<vtkIdType>& parts, const std::vector<vtkIdType>& cells)
+std::vector<Index> readCells(vtkPolyData* axis, const std::vector<vtkIdType>& parts,
+  const std::vector<vtkIdType>& cells, const char* done)
 {
   const vtkIdType cellCount = axis->GetNumberOfCells();
   std::vector<Index> result;
@@ -529,7 +535,7 @@ std::vector<Index> readCells(
   {
     if (cell < 0 || cell >= cellCount)
     {
-      refuse("cell ", cell, " can't be removed: the input has the cells 0 ... ", cellCount - 1);
+      refuse("cell ", cell, " can't be ", done, ": the input has the cells 0 ... ", cellCount - 1);
     }
     result.push_back(static_cast<Index>(cell));
   }
@@ -540,7 +546,7 @@ std::vector<Index> readCells(
   const std::vector<Index> partOfCell = readParts(axis);
   if (partOfCell.empty())
   {
-    refuse("parts can't be removed without the cell array '", names::PartId, "': ", TakeParts);
+    refuse("parts can't be ", done, " without the cell array '", names::PartId, "': ", TakeParts);
   }
   std::set<vtkIdType> missing(parts.begin(), parts.end());
   const std::set<vtkIdType> chosen = missing;
@@ -554,10 +560,36 @@ std::vector<Index> readCells(
   }
   if (!missing.empty())
   {
-    refuse("part ", *missing.begin(), " can't be removed: the cell array '", names::PartId,
+    refuse("part ", *missing.begin(), " can't be ", done, ": the cell array '", names::PartId,
       "' of the input has no such part");
   }
   return result;
+}
+
+std::string refusals(
+  const Pruned& pruned, const std::vector<Index>& cellsToRemove, vtkPolyData* axis)
+{
+  const std::vector<Index> partOfCell = readParts(axis);
+  std::map<CellFate, std::set<Index>> kept;
+  for (std::size_t i = 0; i < pruned.fates.size(); ++i)
+  {
+    const Index cell = cellsToRemove[i];
+    kept[pruned.fates[i]].insert(partOfCell.empty() ? cell : partOfCell[cell]);
+  }
+  const auto listed = [&](CellFate fate, const char* reason) {
+    std::ostringstream text;
+    for (const Index number : kept[fate])
+    {
+      text << (text.str().empty() ? "" : ", ") << number;
+    }
+    const char* what = partOfCell.empty() ? "cells " : "parts ";
+    return kept[fate].empty() ? std::string() : "; " + (what + text.str()) + ": " + reason;
+  };
+  const std::string text = listed(CellFate::Topology, "needed for the topology") +
+    listed(CellFate::Isolated, "a whole piece of the axis") +
+    listed(CellFate::Protected, "protected") +
+    listed(CellFate::AlreadyGone, "already gone with the schedule");
+  return text.empty() ? text : "not removed by hand" + text;
 }
 
 void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTable* history,

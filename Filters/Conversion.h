@@ -13,6 +13,7 @@
 #include "vtkType.h"
 
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 class vtkPointSet;
@@ -51,9 +52,15 @@ void write(const TopologyGraph& graph, const MedialParts& parts, vtkPolyData* ou
 std::vector<Index> readParts(vtkPolyData* axis);
 
 /// The cells of an axis in one of `parts`, and `cells`, checked.
+/// @param done  what is to be done with them, for messages: "removed", "protected"
 /// @throw InvalidInput  the axis has no parts, or a part or cell isn't there
-std::vector<Index> readCells(
-  vtkPolyData* axis, const std::vector<vtkIdType>& parts, const std::vector<vtkIdType>& cells);
+std::vector<Index> readCells(vtkPolyData* axis, const std::vector<vtkIdType>& parts,
+  const std::vector<vtkIdType>& cells, const char* done);
+
+/// One sentence about what was to be removed by hand and was not, by part of the input where it has
+/// parts, else by cell, with the reason; empty where all went.
+std::string refusals(
+  const Pruned& pruned, const std::vector<Index>& cellsToRemove, vtkPolyData* axis);
 
 /// The living cells, the history, and the removed cells.
 void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTable* history,

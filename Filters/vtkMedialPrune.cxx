@@ -3,12 +3,15 @@
 
 #include "Conversion.h"
 #include "ReportErrors.h"
+#include "SelectedCells.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSelection.h"
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 static_assert(vtkMedialPrune::TRIANGLE_COUNT == static_cast<int>(medial::Measure::TriangleCount) &&
@@ -22,7 +25,8 @@ static_assert(vtkMedialPrune::TRIANGLE_COUNT == static_cast<int>(medial::Measure
     vtkMedialPrune::EROSION_THICKNESS == static_cast<int>(medial::Measure::ErosionThickness) &&
     vtkMedialPrune::HAUSDORFF_DISTANCE == static_cast<int>(medial::Measure::HausdorffDistance) &&
     vtkMedialPrune::COLLAPSE == static_cast<int>(medial::Topology::Collapse) &&
-    vtkMedialPrune::NONE == static_cast<int>(medial::Topology::None),
+    vtkMedialPrune::NONE == static_cast<int>(medial::Topology::None) &&
+    vtkMedialPrune::PAPER_GRAPH == static_cast<int>(medial::Topology::PaperGraph),
   "measures and the property Topology are cast to the core's enums");
 
 struct vtkMedialPrune::vtkLists
@@ -30,6 +34,8 @@ struct vtkMedialPrune::vtkLists
   std::vector<medial::PruneIteration> Schedule;
   std::vector<vtkIdType> PartsToRemove;
   std::vector<vtkIdType> CellsToRemove;
+  std::vector<vtkIdType> PartsToProtect;
+  std::vector<vtkIdType> CellsToProtect;
 
   medial::PruneIteration Iteration(int number) const
   {
@@ -43,6 +49,7 @@ vtkStandardNewMacro(vtkMedialPrune);
 vtkMedialPrune::vtkMedialPrune()
   : Lists(new vtkLists)
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
   this->AddIteration(TRIANGLE_COUNT, 5);
   this->AddIteration(TRIANGLE_COUNT, 5);
@@ -129,6 +136,47 @@ vtkIdType vtkMedialPrune::GetNumberOfCellsToRemove() const
   return static_cast<vtkIdType>(this->Lists->CellsToRemove.size());
 }
 
+void vtkMedialPrune::ClearPartsToProtect()
+{
+  this->Lists->PartsToProtect.clear();
+  this->Modified();
+}
+
+void vtkMedialPrune::AddPartToProtect(vtkIdType part)
+{
+  this->Lists->PartsToProtect.push_back(part);
+  this->Modified();
+}
+
+vtkIdType vtkMedialPrune::GetNumberOfPartsToProtect() const
+{
+  return static_cast<vtkIdType>(this->Lists->PartsToProtect.size());
+}
+
+void vtkMedialPrune::ClearCellsToProtect()
+{
+  this->Lists->CellsToProtect.clear();
+  this->Modified();
+}
+
+void vtkMedialPrune::AddCellToProtect(vtkIdType cell)
+{
+  this->Lists->CellsToProtect.push_back(cell);
+  this->Modified();
+}
+
+vtkIdType vtkMedialPrune::GetNumberOfCellsToProtect() const
+{
+  return static_cast<vtkIdType>(this->Lists->CellsToProtect.size());
+}
+
+int vtkMedialPrune::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkSelection");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
 int vtkMedialPrune::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkTable" : "vtkPolyData");
@@ -145,15 +193,28 @@ int vtkMedialPrune::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* axis = vtkPolyData::GetData(inputVector[0]);
+  vtkSelection* selection = vtkSelection::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   vtkPolyData* removed = vtkPolyData::GetData(outputVector, 2);
   return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
-    const medial::PruneOptions options{ this->Lists->Schedule,
+    vtkLists lists = *this->Lists;
+    std::vector<vtkIdType>& cells =
+      this->SelectionRole == REMOVE ? lists.CellsToRemove : lists.CellsToProtect;
+    const std::vector<vtkIdType> selected = medial::selectedCells(selection, axis);
+    cells.insert(cells.end(), selected.begin(), selected.end());
+    const medial::PruneOptions options{ lists.Schedule,
       static_cast<medial::Topology>(this->Topology), this->RemoveHair, this->RemoveBranches,
-      medial::readCells(axis, this->Lists->PartsToRemove, this->Lists->CellsToRemove) };
-    medial::write(medial::prune(medial::readMedialAxis(axis), options, execution), axis, output,
-      history, removed);
+      this->VerifyTopology,
+      medial::readCells(axis, lists.PartsToRemove, lists.CellsToRemove, "removed"),
+      medial::readCells(axis, lists.PartsToProtect, lists.CellsToProtect, "protected") };
+    const medial::Pruned pruned = medial::prune(medial::readMedialAxis(axis), options, execution);
+    medial::write(pruned, axis, output, history, removed);
+    const std::string refusals = medial::refusals(pruned, options.cellsToRemove, axis);
+    if (!refusals.empty())
+    {
+      vtkWarningMacro(<< refusals);
+    }
   });
 }
 
@@ -162,9 +223,15 @@ void vtkMedialPrune::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Schedule: " << this->GetNumberOfIterations() << " iterations\n";
   medial::print(os, indent.GetNextIndent(), this->Lists->Schedule);
-  os << indent << "Topology: " << (this->Topology == COLLAPSE ? "COLLAPSE" : "NONE") << "\n";
+  const char* const topologies[] = { "COLLAPSE", "NONE", "PAPER_GRAPH" };
+  os << indent << "Topology: " << topologies[this->Topology] << "\n";
+  os << indent << "VerifyTopology: " << (this->VerifyTopology ? "on" : "off") << "\n";
   os << indent << "RemoveHair: " << (this->RemoveHair ? "on" : "off") << "\n";
   os << indent << "RemoveBranches: " << (this->RemoveBranches ? "on" : "off") << "\n";
   os << indent << "PartsToRemove: " << this->GetNumberOfPartsToRemove() << "\n";
   os << indent << "CellsToRemove: " << this->GetNumberOfCellsToRemove() << "\n";
+  os << indent << "PartsToProtect: " << this->GetNumberOfPartsToProtect() << "\n";
+  os << indent << "CellsToProtect: " << this->GetNumberOfCellsToProtect() << "\n";
+  os << indent << "SelectionRole: " << (this->SelectionRole == REMOVE ? "REMOVE" : "PROTECT")
+     << "\n";
 }

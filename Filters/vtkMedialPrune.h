@@ -12,28 +12,37 @@
  *
  * Input: vtkPolyData, the output of vtkMedialAxis, vtkMedialPartDecomposition or vtkMedialPrune.
  *
+ * Input 1: vtkSelection, optional: cells of input 0, or points, which stand for the cells there. The
+ * parts that hold them are removed by hand or protected, see SelectionRole. Indices, values and
+ * thresholds of an array, ids, locations and frusta can be used; queries can't.
+ *
  * Output 0: vtkPolyData, the living cells on all points of the input: ids of points stay. Arrays of
  * the input are passed on; `PartId`, `PartLevel`, `TriangleCount`, `RelativeVolume` (cells),
  * `NumberOfParts`, `BettiAxis`, `Certificate` (field data) are those of the living cells, see
  * vtkMedialPartDecomposition and vtkMedialAxis. New cell data
  *  - `KeepReason` (unsigned char): why the cell's part is still there. 0 its significance is above
  *    the last threshold, together with what went from it; 1 topology; 2 not of level 1; 3 a whole
- *    component of the axis.
+ *    component of the axis; 4 protected.
  *
  * Output 1: vtkTable, one row for each iteration, and one more where something was removed by hand:
  * `Iteration` (vtkIdType, from 0), `ByHand` (unsigned char), `Measure` (int; a
  * MeasureType), `Threshold` (double), `Passes` (int; made), `PartsBefore`, `PartsAfter`,
- * `Candidates` (parts of level 1 with at most the threshold), `Removed` (parts), `Refused` (candidates
- * that topology kept; vtkIdType), `Betti` (vtkIdType, 3 components; of the axis after it),
- * `VolumeRemoved` (double, relative).
+ * `Candidates` (parts of level 1 with at most the threshold; by hand: parts named), `Removed` (parts),
+ * `Refused` (candidates that stayed in the last pass; the sum of `RefusedByTopology`,
+ * `RefusedIsolated`, a whole piece of the axis, and `RefusedProtected`), `TopologyChanges` (removals
+ * that changed the Betti numbers; -1 unless VerifyTopology is on; vtkIdType), `Betti` (vtkIdType, 3
+ * components; of the axis after it), `VolumeRemoved` (double, relative).
  *
  * Output 2: vtkPolyData, the removed cells on the same points, with their arrays from the input and
  *  - `Iteration` (vtkIdType): the row of the history.
  *  - `PartId` (vtkIdType): their part in that iteration.
  *
+ * One warning lists the parts that were to be removed by hand and were not, with the reason: needed
+ * for the topology, a whole piece of the axis, protected, or already gone.
+ *
  * An error (an array that is missing or does not fit; a negative threshold; a part or cell to remove
- * that isn't there) leaves the outputs empty and sets the error code. Under MPI the piece 0 holds
- * everything.
+ * or to protect that isn't there; a selection that can't be used) leaves the outputs empty and sets
+ * the error code. Under MPI the piece 0 holds everything.
  *
  * See R. Tam, W. Heidrich, "Shape simplification based on the medial axis transform", IEEE
  * Visualization 2003, sections 4.2, 4.3 and 6.
@@ -101,18 +110,32 @@ public:
   enum TopologyMode
   {
     COLLAPSE = 0,
-    NONE = 1
+    NONE = 1,
+    PAPER_GRAPH = 2
   };
 
   ///@{
   /**
-   * Which removals are allowed: those that keep the Betti numbers (COLLAPSE, the default) or that
-   * of every part of level 1 (NONE).
+   * Which removals are allowed: those that keep the Betti numbers (COLLAPSE, the default), that of
+   * every part of level 1 (NONE), or those that the paper's topology graph allows (PAPER_GRAPH, for
+   * comparison): of parts that touch one of its nodes. The graph does not see a loop inside a part,
+   * nor what parts hold together in points and by lines, so it loses loops and tears pieces off.
    */
-  vtkSetClampMacro(Topology, int, COLLAPSE, NONE);
+  vtkSetClampMacro(Topology, int, COLLAPSE, PAPER_GRAPH);
   vtkGetMacro(Topology, int);
   void SetTopologyToCollapse() { this->SetTopology(COLLAPSE); }
   void SetTopologyToNone() { this->SetTopology(NONE); }
+  void SetTopologyToPaperGraph() { this->SetTopology(PAPER_GRAPH); }
+  ///@}
+
+  ///@{
+  /**
+   * Compute the Betti numbers anew after every single removal. With COLLAPSE a change is an error (a
+   * bug of ours), else it counts as `TopologyChanges` in the history. Slow: for tests. Default off.
+   */
+  vtkSetMacro(VerifyTopology, bool);
+  vtkGetMacro(VerifyTopology, bool);
+  vtkBooleanMacro(VerifyTopology, bool);
   ///@}
 
   ///@{
@@ -155,10 +178,49 @@ public:
   vtkIdType GetNumberOfCellsToRemove() const;
   ///@}
 
+  ///@{
+  /**
+   * Parts and cells that stay, by the same numbers: no part that holds a cell of theirs ever goes,
+   * neither alone nor with a branch, nor by hand. Default: none.
+   */
+  void ClearPartsToProtect();
+  void AddPartToProtect(vtkIdType part);
+  vtkIdType GetNumberOfPartsToProtect() const;
+  void ClearCellsToProtect();
+  void AddCellToProtect(vtkIdType cell);
+  vtkIdType GetNumberOfCellsToProtect() const;
+  ///@}
+
+  enum SelectionRoleType
+  {
+    REMOVE = 0,
+    PROTECT = 1
+  };
+
+  ///@{
+  /**
+   * What happens to the parts that the selection of input 1 names: removed after the schedule
+   * (REMOVE, the default) or protected.
+   */
+  vtkSetClampMacro(SelectionRole, int, REMOVE, PROTECT);
+  vtkGetMacro(SelectionRole, int);
+  void SetSelectionRoleToRemove() { this->SetSelectionRole(REMOVE); }
+  void SetSelectionRoleToProtect() { this->SetSelectionRole(PROTECT); }
+  ///@}
+
+  /**
+   * Connects input 1, the selection.
+   */
+  void SetSelectionConnection(vtkAlgorithmOutput* selection)
+  {
+    this->SetInputConnection(1, selection);
+  }
+
 protected:
   vtkMedialPrune();
   ~vtkMedialPrune() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -174,6 +236,8 @@ private:
   int Topology = COLLAPSE;
   bool RemoveHair = true;
   bool RemoveBranches = true;
+  bool VerifyTopology = false;
+  int SelectionRole = REMOVE;
 };
 
 #endif

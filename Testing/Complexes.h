@@ -127,6 +127,20 @@ inline Drawing cycleWithLoop()
   return drawing;
 }
 
+/// A closed band round a tunnel with a larger fin outside. The loop is inside part 0, which touches
+/// part 1 along one line.
+inline Drawing bandWithFin()
+{
+  Drawing drawing;
+  const Point up(0, 0, 1), corners[4] = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 } };
+  for (int i = 0; i < 4; ++i)
+  {
+    drawing.sheet(corners[i], up, (corners[(i + 1) % 4] - corners[i]) / 2, 1, 2);
+  }
+  drawing.sheet(corners[0], up, Point(-1, -1, 0), 1, 20);
+  return drawing;
+}
+
 /// Paper Figure 9, as a topology graph: four lines with a sheet between each two, which no other
 /// touches. Sheets 0, 1, 2 run from the middle line outwards, 3, 4, 5 around them.
 inline Drawing fourNodesAndSixParts()

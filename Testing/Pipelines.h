@@ -314,12 +314,18 @@ inline std::string bytesOf(const medial::Pruned& p)
 {
   Bytes bytes;
   bytes.text = bytesOf(p.axis) + bytesOf(p.parts);
-  bytes.add(p.keepReason).add(p.inputCell).add(p.removedInIteration).add(p.removedPart);
+  bytes.add(p.keepReason)
+    .add(p.fates)
+    .add(p.inputCell)
+    .add(p.removedInIteration)
+    .add(p.removedPart);
   for (const medial::PruneRow& row : p.history)
   {
     bytes.add(row.byHand).add(row.measure).add(row.threshold).add(row.passes);
     bytes.add(row.partsBefore).add(row.partsAfter).add(row.candidates).add(row.removed);
-    bytes.add(row.refused).add(row.betti).add(row.volumeRemoved);
+    bytes.add(row.refused).add(row.refusedByTopology).add(row.refusedIsolated);
+    bytes.add(row.refusedProtected).add(row.topologyChanges);
+    bytes.add(row.betti).add(row.volumeRemoved);
   }
   return bytes.text;
 }

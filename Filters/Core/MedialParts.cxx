@@ -114,20 +114,24 @@ struct ContactEdges
   std::map<Index, std::vector<Index>> atPoint; ///< the edges at each point
 };
 
-ContactEdges contactEdges(
-  const MedialAxis& axis, const AxisEdges& edges, const Partition& partition)
+ContactEdges contactEdges(const LivingCells& living, const Partition& partition)
 {
+  const AxisEdges& edges = living.edges;
   ContactEdges result;
   for (Index e = 0; e < count(edges.points); ++e)
   {
-    if (edges.triangles[e].size() < 3)
+    if (living.trianglesAtEdge(e) < 3)
     {
       continue;
     }
     std::vector<Index>& parts = result.parts[e];
     for (const Index t : edges.triangles[e])
     {
-      parts.push_back(partition.partOfCell[axis.cells.firstTriangle() + t]);
+      const Index part = partition.partOfCell[living.cells.firstTriangle() + t];
+      if (part != None)
+      {
+        parts.push_back(part);
+      }
     }
     std::sort(parts.begin(), parts.end());
     parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
@@ -242,6 +246,17 @@ std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& 
   return result;
 }
 
+std::vector<ContactCurve> contacts(const LivingCells& living, const Partition& partition)
+{
+  const ContactEdges along = contactEdges(living, partition);
+  std::vector<ContactCurve> result = contactCurves(living.edges, along);
+  const PartsAtPoints there =
+    partsAtPoints(living.cells, partition.partOfCell, living.cellsOfPoint().size());
+  const std::vector<ContactCurve> points = contactPoints(there, along);
+  result.insert(result.end(), points.begin(), points.end());
+  return result;
+}
+
 std::vector<char> keptBalls(const MedialAxis& axis)
 {
   const std::vector<Index> one(axis.cells.size(), 0);
@@ -255,7 +270,8 @@ std::vector<char> keptBalls(const MedialAxis& axis)
 MedialParts decompose(const MedialAxis& axis, int maximumLevel, const Execution& execution)
 {
   const AxisEdges edges = axisEdges(axis.cells);
-  const Partition groups = partition(axis.cells, edges, maximumLevel);
+  LivingCells living(axis.cells, edges);
+  const Partition groups = partition(living, maximumLevel);
   execution.report(0.5);
   MedialParts result;
   result.partOfCell = groups.partOfCell;
@@ -263,11 +279,7 @@ MedialParts decompose(const MedialAxis& axis, int maximumLevel, const Execution&
   execution.forEach(
     count(result.parts), [&](Index part) { result.parts[part] = measured(axis, groups, part); });
   addVolumes(axis, result);
-  const ContactEdges contacts = contactEdges(axis, edges, groups);
-  result.contacts = contactCurves(edges, contacts);
-  const std::vector<ContactCurve> atPoints =
-    contactPoints(partsAtPoints(axis.cells, result.partOfCell, count(axis.points)), contacts);
-  result.contacts.insert(result.contacts.end(), atPoints.begin(), atPoints.end());
+  result.contacts = contacts(living, groups);
   for (const ContactCurve& curve : result.contacts)
   {
     for (const Index part : curve.parts)

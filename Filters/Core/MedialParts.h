@@ -3,7 +3,9 @@
 #define medial_MedialParts_h
 
 #include "Execution.h"
+#include "LivingCells.h"
 #include "MedialAxis.h"
+#include "Partition.h"
 #include "Types.h"
 
 #include <vector>
@@ -47,6 +49,9 @@ struct MedialParts
 /// @param maximumLevel  parts above it get level 0; 0 or less: no limit
 MedialParts decompose(
   const MedialAxis& axis, int maximumLevel = 0, const Execution& execution = {});
+
+/// The contact curves and points of the living parts, see MedialParts.
+std::vector<ContactCurve> contacts(const LivingCells& living, const Partition& partition);
 
 /// For each polar ball the part that it counts for: of the parts with most of the cells at its
 /// medial point the first; a ball off the axis follows its owner. None where its owner is gone.

@@ -5,11 +5,14 @@
 #include "LivingCells.h"
 #include "PartCollapse.h"
 #include "Partition.h"
+#include "TopologyGraph.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 namespace medial
 {
@@ -27,15 +30,19 @@ void requireValid(const MedialAxis& axis, const PruneOptions& options)
                          "not a number; give thresholds of 0 and more (volumes: 0 ... 1)");
     }
   }
-  for (const Index cell : options.cellsToRemove)
-  {
-    if (cell < 0 || cell >= axis.cells.size())
+  const auto requireThere = [&axis](const std::vector<Index>& cells, const char* what) {
+    for (const Index cell : cells)
     {
-      throw InvalidInput("cell " + std::to_string(cell) +
-        " is to be removed, but the axis has only " + std::to_string(axis.cells.size()) +
-        " cells; ids are those of the input");
+      if (cell < 0 || cell >= axis.cells.size())
+      {
+        throw InvalidInput("cell " + std::to_string(cell) + " is to be " + what +
+          ", but the axis has only " + std::to_string(axis.cells.size()) +
+          " cells; ids are those of the input");
+      }
     }
-  }
+  };
+  requireThere(options.cellsToRemove, "removed");
+  requireThere(options.cellsToProtect, "protected");
 }
 
 /// The parts as one pass finds them, with what decides about them.
@@ -45,6 +52,8 @@ struct Round
   std::vector<double> significance;
   Measure measure;
   std::vector<char> gone;
+  std::vector<char> isProtected;
+  std::vector<ContactCurve> contacts; ///< for Topology::PaperGraph, which knows curves alone
 
   /// Parts that share a point, ascending; made when asked for.
   mutable std::vector<std::optional<std::vector<Index>>> neighbors;
@@ -70,6 +79,19 @@ std::vector<char> wholePieces(const LivingCells& living, const Partition& partit
   return result;
 }
 
+void clearRefusals(PruneRow& row)
+{
+  row.refused = row.refusedByTopology = row.refusedIsolated = row.refusedProtected = 0;
+}
+
+void countRefusal(KeepReason reason, PruneRow& row)
+{
+  ++row.refused;
+  row.refusedByTopology += reason == KeepReason::Topology;
+  row.refusedIsolated += reason == KeepReason::Isolated;
+  row.refusedProtected += reason == KeepReason::Protected;
+}
+
 class Pruner
 {
 public:
@@ -87,6 +109,10 @@ public:
   {
     this->result.removedInIteration.assign(input.cells.size(), None);
     this->result.removedPart.assign(input.cells.size(), None);
+    if (this->options.verifyTopology)
+    {
+      this->verified = bettiNumbers(input.cells);
+    }
   }
 
   Pruned run()
@@ -163,8 +189,10 @@ private:
   bool pass(Round& round, const PruneIteration& iteration, int dimension, PruneRow& row)
   {
     const std::vector<Index> parts = this->candidates(round, iteration, dimension);
+    const bool wantsBranches =
+      this->options.removeBranches && this->options.topology == Topology::Collapse;
     bool changed = false;
-    Index refused = 0;
+    clearRefusals(row);
     for (const Index part : parts)
     {
       if (round.gone[part] || round.significance[part] > iteration.threshold)
@@ -172,14 +200,15 @@ private:
         continue; // gone with a branch, or it has inherited
       }
       std::vector<Index> unit{ part };
-      if (!this->mayGo(round, unit))
+      const std::optional<KeepReason> reason = this->refusal(round, unit);
+      if (reason)
       {
-        unit = this->options.removeBranches ? this->branch(round, part, iteration.threshold)
-                                            : std::vector<Index>();
+        unit =
+          wantsBranches ? this->branch(round, part, iteration.threshold) : std::vector<Index>();
       }
-      if (unit.empty() || (unit.size() > 1 && !this->mayGo(round, unit)))
+      if (unit.empty() || (reason && this->refusal(round, unit)))
       {
-        ++refused;
+        countRefusal(*reason, row);
         continue;
       }
       this->remove(round, unit, row);
@@ -189,7 +218,6 @@ private:
     {
       row.candidates = std::max(row.candidates, count(parts));
     }
-    row.refused = refused;
     return changed;
   }
 
@@ -204,14 +232,43 @@ private:
     return cells;
   }
 
-  bool mayGo(const Round& round, const std::vector<Index>& parts)
+  /// Why the parts may not go together; nothing where they may.
+  std::optional<KeepReason> refusal(const Round& round, const std::vector<Index>& parts)
   {
-    const std::vector<Index> cells = this->cellsOf(round, parts);
-    if (this->options.topology == Topology::None)
+    if (std::any_of(
+          parts.begin(), parts.end(), [&round](Index part) { return round.isProtected[part]; }))
     {
-      return count(cells) < this->living.size(); // something must stay
+      return KeepReason::Protected;
     }
-    return this->collapse.effectOfRemoving(cells) == Effect::None;
+    const std::vector<Index> cells = this->cellsOf(round, parts);
+    Effect effect = Effect::None;
+    switch (this->options.topology)
+    {
+      case Topology::None: // something must stay
+        effect = count(cells) < this->living.size() ? Effect::None : Effect::Isolated;
+        break;
+      case Topology::PaperGraph:
+        effect = graphEffect(round, parts);
+        break;
+      case Topology::Collapse:
+        effect = this->collapse.effectOfRemoving(cells);
+    }
+    return effect == Effect::None ? std::optional<KeepReason>()
+      : effect == Effect::Changes ? KeepReason::Topology
+                                  : KeepReason::Isolated;
+  }
+
+  /// What the paper's graph says about a part. It is an edge between the nodes that it touches: with
+  /// one, it is on no loop and connects nothing; with more, it is on a loop or connects.
+  static Effect graphEffect(const Round& round, const std::vector<Index>& parts)
+  {
+    if (parts.size() > 1)
+    {
+      return Effect::Changes; // the graph tells of single parts
+    }
+    const TopologyGraph graph = topologyGraph(round.contacts, round.gone);
+    const Index nodes = graph.nodesOfPart[parts[0]].size();
+    return nodes == 0 ? Effect::Isolated : nodes == 1 ? Effect::None : Effect::Changes;
   }
 
   void remove(Round& round, const std::vector<Index>& parts, PruneRow& row)
@@ -228,10 +285,28 @@ private:
       round.gone[part] = 1;
     }
     row.removed += count(parts);
+    if (this->options.verifyTopology)
+    {
+      this->verify(row);
+    }
     if (this->countsTogether)
     {
       this->bequeath(round, parts);
     }
+  }
+
+  /// Compares the Betti numbers, computed from the living cells alone, with those before.
+  void verify(PruneRow& row)
+  {
+    const Betti now = this->livingAxis().betti;
+    if (now != this->verified && this->options.topology == Topology::Collapse)
+    {
+      throw std::logic_error(
+        "the removal of a part changed the Betti numbers though the topology is "
+        "to be kept: a bug of the pruning, please report it with the input");
+    }
+    row.topologyChanges += now != this->verified;
+    this->verified = now;
   }
 
   /// The most significant part that removed ones were attached to takes over their significance for
@@ -286,7 +361,8 @@ private:
       for (std::size_t i = 0; i < piece.size() && !large; ++i)
       {
         pieceSum = together(round.measure, pieceSum, round.significance[piece[i]]);
-        large = together(round.measure, sum, pieceSum) > threshold || piece.size() > branchLimit;
+        large = together(round.measure, sum, pieceSum) > threshold || piece.size() > branchLimit ||
+          round.isProtected[piece[i]];
         for (const Index next : this->neighbors(round, piece[i]))
         {
           const auto known = std::find(visited.begin(), visited.end(), next);
@@ -327,6 +403,18 @@ private:
         double& value = round.significance[round.partition.partOfCell[cell]];
         value = together(measure, value, this->inherited[cell]);
       }
+    }
+    round.isProtected.assign(round.gone.size(), 0);
+    for (const Index cell : this->options.cellsToProtect)
+    {
+      round.isProtected[round.partition.partOfCell[cell]] = 1;
+    }
+    if (this->options.topology == Topology::PaperGraph)
+    {
+      round.contacts = contacts(this->living, round.partition);
+      const auto isPoint = [](const ContactCurve& contact) { return contact.points.size() == 1; };
+      round.contacts.erase(std::remove_if(round.contacts.begin(), round.contacts.end(), isPoint),
+        round.contacts.end());
     }
     round.neighbors.resize(round.gone.size());
     return round;
@@ -373,16 +461,8 @@ private:
     Round round = this->newRound(Measure::TriangleCount);
     PruneRow row = this->newRow(round);
     row.byHand = true;
-    std::vector<Index> named;
-    for (const Index cell : this->options.cellsToRemove)
-    {
-      if (this->living.isLiving(cell))
-      {
-        named.push_back(round.partition.partOfCell[cell]);
-      }
-    }
-    std::sort(named.begin(), named.end());
-    named.erase(std::unique(named.begin(), named.end()), named.end());
+    const std::vector<Index> all = this->namedParts(round);
+    std::vector<Index> named = all;
     row.candidates = count(named);
     row.passes = 1;
     for (bool changed = true; changed;)
@@ -390,24 +470,65 @@ private:
       changed = false;
       for (const Index part : named)
       {
-        if (!round.gone[part] && this->mayGo(round, { part }))
+        if (!this->refusal(round, { part }))
         {
           this->remove(round, { part }, row);
           changed = true;
         }
       }
       named.erase(std::remove_if(named.begin(), named.end(),
-                    [&round](Index part) { return round.gone[part] != 0; }),
+                    [&round](Index part) { return round.gone[part] || round.isProtected[part]; }),
         named.end());
     }
-    if (named.size() > 1 && this->mayGo(round, named))
+    if (named.size() > 1 && !this->refusal(round, named))
     {
       this->remove(round, named, row);
-      named.clear();
     }
-    row.refused = count(named);
-    this->refusedCells = this->cellsOf(round, named);
+    this->tellFates(round, all, row);
     this->finish(row, this->newRound(Measure::TriangleCount));
+  }
+
+  /// The parts that hold living cells to be removed, ascending.
+  std::vector<Index> namedParts(const Round& round)
+  {
+    std::vector<Index> named;
+    for (const Index cell : this->options.cellsToRemove)
+    {
+      const bool isLiving = this->living.isLiving(cell);
+      this->result.fates.push_back(isLiving ? CellFate::Removed : CellFate::AlreadyGone);
+      if (isLiving)
+      {
+        named.push_back(round.partition.partOfCell[cell]);
+      }
+    }
+    std::sort(named.begin(), named.end());
+    named.erase(std::unique(named.begin(), named.end()), named.end());
+    return named;
+  }
+
+  /// Fills the fates of what stayed, and counts the parts.
+  void tellFates(const Round& round, const std::vector<Index>& named, PruneRow& row)
+  {
+    std::vector<CellFate> fateOfPart(round.gone.size(), CellFate::Removed);
+    for (const Index part : named)
+    {
+      if (!round.gone[part])
+      {
+        const KeepReason reason = *this->refusal(round, { part });
+        countRefusal(reason, row);
+        fateOfPart[part] = reason == KeepReason::Topology ? CellFate::Topology
+          : reason == KeepReason::Isolated                ? CellFate::Isolated
+                                                          : CellFate::Protected;
+      }
+    }
+    for (std::size_t i = 0; i < this->result.fates.size(); ++i)
+    {
+      const Index cell = this->options.cellsToRemove[i];
+      if (this->living.isLiving(cell))
+      {
+        this->result.fates[i] = fateOfPart[round.partition.partOfCell[cell]];
+      }
+    }
   }
 
   PruneRow newRow(const Round& round) const
@@ -415,6 +536,7 @@ private:
     PruneRow row{};
     row.partsBefore = count(round.partition.dimension);
     row.volumeRemoved = this->livingVolume();
+    row.topologyChanges = this->options.verifyTopology ? 0 : None;
     return row;
   }
 
@@ -450,6 +572,7 @@ private:
   /// The axis with the living cells alone; fills inputCell.
   MedialAxis livingAxis()
   {
+    this->result.inputCell.clear();
     for (Index c = 0; c < this->axis.cells.size(); ++c)
     {
       if (this->living.isLiving(c))
@@ -469,7 +592,11 @@ private:
     for (Index part = 0; part < count(round.significance); ++part)
     {
       KeepReason reason = KeepReason::Topology;
-      if (isWhole[part])
+      if (round.isProtected[part])
+      {
+        reason = KeepReason::Protected;
+      }
+      else if (isWhole[part])
       {
         reason = KeepReason::Isolated;
       }
@@ -483,9 +610,13 @@ private:
       }
       this->result.keepReason.push_back(reason);
     }
-    for (const Index cell : this->refusedCells)
+    for (std::size_t i = 0; i < this->result.fates.size(); ++i)
     {
-      this->result.keepReason[round.partition.partOfCell[cell]] = KeepReason::Topology;
+      if (this->result.fates[i] == CellFate::Topology)
+      {
+        const Index part = round.partition.partOfCell[this->options.cellsToRemove[i]];
+        this->result.keepReason[part] = KeepReason::Topology;
+      }
     }
   }
 
@@ -500,9 +631,9 @@ private:
   PartCollapse collapse;
   PartMeasures measures;
   double totalVolume;
-  std::vector<Index> refusedCells; ///< named by hand, kept for topology
-  bool countsTogether = false;     ///< what one part loses after the other
-  std::vector<Index> visitedIn;    ///< for each point the last of the walks that came there
+  Betti verified{};             ///< the last Betti numbers, where every removal is verified
+  bool countsTogether = false;  ///< what one part loses after the other
+  std::vector<Index> visitedIn; ///< for each point the last of the walks that came there
   Index walks = 0;
   std::vector<double> inherited; ///< by cell, in the measure of the iteration
   Pruned result;

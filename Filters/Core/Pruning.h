@@ -15,8 +15,13 @@ namespace medial
 /// Which removals are allowed.
 enum class Topology
 {
-  Collapse = 0, ///< a part that collapses onto its contact with the rest: exact
-  None = 1      ///< every part of level 1
+  Collapse = 0, ///< of a part that collapses onto its contact with the rest: exact
+  None = 1,     ///< of every part of level 1
+
+  /// The paper's (4.3), for comparison: of a part that touches one node of the topology graph of
+  /// contact curves, so is on no loop of it and connects nothing. Wrong where a loop is inside a part,
+  /// and where parts touch in points and lines.
+  PaperGraph = 2
 };
 
 /// One round of decompose - measure - prune.
@@ -39,11 +44,16 @@ struct PruneOptions
   bool removeHair = true;     ///< in each pass chains of dangling edges with a free end and at most
                               ///< the threshold (an edge counts like a triangle) go first
   bool removeBranches = true; ///< a part goes with the smaller rest that it alone connects, where
-                              ///< their significance together is at most the threshold
+                              ///< their significance together is at most the threshold; with
+                              ///< Topology::Collapse only
+  bool verifyTopology = false; ///< compute the Betti numbers anew after every single removal: slow
 
   /// Cells of the input. After the schedule, every living part that holds one of them goes, however
   /// significant (paper Figure 12).
   std::vector<Index> cellsToRemove;
+
+  /// Cells of the input. No part that holds one of them ever goes.
+  std::vector<Index> cellsToProtect;
 };
 
 /// Why a part is still there.
@@ -52,7 +62,18 @@ enum class KeepReason : signed char
   AboveThreshold = 0, ///< together with what went from it in the last iteration
   Topology = 1,       ///< its removal would change the Betti numbers
   InnerLevel = 2,     ///< not at the border
-  Isolated = 3        ///< a whole component of the axis
+  Isolated = 3,       ///< a whole component of the axis
+  Protected = 4       ///< holds a protected cell
+};
+
+/// What became of a cell to be removed by hand.
+enum class CellFate : signed char
+{
+  Removed,
+  AlreadyGone, ///< the schedule had removed it
+  Topology,    ///< kept: see KeepReason
+  Isolated,
+  Protected
 };
 
 /// What one iteration did. The removal by hand, if any, is the last row.
@@ -63,11 +84,13 @@ struct PruneRow
   double threshold;
   int passes; ///< made
   Index partsBefore, partsAfter;
-  Index candidates;     ///< parts of level 1 with at most the threshold
-  Index removed;        ///< parts removed, those of branches and of hair included
-  Index refused;        ///< candidates that topology kept
-  Betti betti;          ///< of the axis after it
-  double volumeRemoved; ///< relative
+  Index candidates; ///< parts of level 1 with at most the threshold
+  Index removed;    ///< parts removed, those of branches and of hair included
+  Index refused;    ///< candidates that were kept in the last pass, the sum of the next three
+  Index refusedByTopology, refusedIsolated, refusedProtected;
+  Index topologyChanges; ///< removals that changed the Betti numbers; None: not verified
+  Betti betti;           ///< of the axis after it
+  double volumeRemoved;  ///< relative
 };
 
 struct Pruned
@@ -79,6 +102,7 @@ struct Pruned
   std::vector<Index> removedInIteration; ///< for each cell of the input: row of `history`, or None
   std::vector<Index> removedPart; ///< for each cell of the input: its part when it was removed
   std::vector<PruneRow> history;
+  std::vector<CellFate> fates; ///< for each of PruneOptions::cellsToRemove
 };
 
 /// Removes insignificant parts of level 1, least significant first (paper 4.2, 4.3).
@@ -88,6 +112,7 @@ struct Pruned
 /// contact with everything else.
 ///
 /// @throw InvalidInput  a threshold that is not a number or negative; a cell that isn't there
+/// @throw std::logic_error  verifyTopology found a change with Topology::Collapse: a bug of ours
 Pruned prune(const MedialAxis& axis, const PruneOptions& options, const Execution& execution = {});
 }
 

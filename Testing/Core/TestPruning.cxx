@@ -10,6 +10,7 @@
 
 using complexes::Drawing;
 using medial::Betti;
+using medial::CellFate;
 using medial::Edge;
 using medial::Index;
 using medial::KeepReason;
@@ -167,6 +168,207 @@ TEST(Pruning, ByHandKeepsTheBettiNumbersOfRandomComplexes)
     ASSERT_EQ(pruned.history.size(), 1u);
     EXPECT_TRUE(pruned.history.back().byHand);
   }
+}
+
+TEST(Pruning, KeepsTheBettiNumbersWithEveryRemoval)
+{
+  // Verified by computing them anew after each, in every measure, with and without protected cells.
+  for (unsigned seed = 200; seed < 230; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const MedialAxis axis = complexes::randomComplex(seed).axis();
+    for (const medial::MeasureTraits& traits : medial::allMeasures())
+    {
+      SCOPED_TRACE(traits.name);
+      PruneOptions options = once(traits.measure, 1e9);
+      options.verifyTopology = true;
+      options.removeBranches = seed % 2 == 0;
+      options.cellsToRemove = { static_cast<Index>(seed) % axis.cells.size() };
+      for (const bool protects : { false, true })
+      {
+        if (protects)
+        {
+          options.cellsToProtect.push_back(static_cast<Index>(7 * seed) % axis.cells.size());
+        }
+        const Pruned pruned = medial::prune(axis, options);
+        expectBetti(pruned, axis.betti);
+        expectConsistent(axis, pruned);
+        for (const PruneRow& row : pruned.history)
+        {
+          EXPECT_EQ(row.topologyChanges, 0);
+        }
+        for (const Index cell : options.cellsToProtect)
+        {
+          EXPECT_EQ(pruned.removedInIteration[cell], None);
+        }
+      }
+    }
+  }
+}
+
+TEST(Pruning, OneByOneKeepsTheBettiNumbersByTheirDefinition)
+{
+  // Part after part, each counted by the ranks of the boundary matrices, until nothing may go.
+  for (unsigned seed = 300; seed < 325; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    MedialAxis axis = complexes::randomComplex(seed).axis();
+    const Betti betti = axis.betti;
+    for (Index cell = 0; cell < axis.cells.size();)
+    {
+      const Pruned pruned = medial::prune(axis, byHand({ cell }));
+      const bool went = pruned.fates.at(0) == CellFate::Removed;
+      ASSERT_EQ(went, pruned.removedInIteration[cell] == 0);
+      ASSERT_EQ(pipelines::independentBetti(pruned.axis), betti) << "cell " << cell;
+      axis = pruned.axis;
+      cell = went ? 0 : cell + 1;
+    }
+  }
+}
+
+TEST(Pruning, VerifiesEveryRemovalOfTheShapes)
+{
+  forEachShape([](Pipeline& p) {
+    PruneOptions options = pipelines::standardSchedule();
+    options.verifyTopology = true;
+    const Pruned pruned = medial::prune(p.axis(), options);
+    EXPECT_EQ(pruned.removedInIteration, p.pruned().removedInIteration);
+    for (const PruneRow& row : pruned.history)
+    {
+      EXPECT_EQ(row.topologyChanges, 0);
+    }
+    EXPECT_EQ(p.pruned().history[0].topologyChanges, None);
+  });
+}
+
+TEST(Pruning, ByThePapersGraphLosesALoopInsideAPart)
+{
+  const MedialAxis axis = complexes::bandWithFin().axis();
+  ASSERT_EQ(axis.betti, (Betti{ 1, 1, 0 }));
+  PruneOptions options = once(Measure::TriangleCount, 20);
+  options.verifyTopology = true;
+  expectBetti(medial::prune(axis, options), axis.betti);
+  options.topology = Topology::PaperGraph;
+  const Pruned pruned = medial::prune(axis, options);
+  EXPECT_EQ(pruned.axis.betti, (Betti{ 1, 0, 0 }));
+  EXPECT_EQ(pruned.history.at(0).topologyChanges, 1);
+}
+
+TEST(Pruning, ByThePapersGraphKeepsTheLoopsOfItsFigures)
+{
+  for (const Drawing& drawing : { complexes::cycleWithoutLoop(), complexes::cycleWithLoop(),
+         complexes::fourNodesAndSixParts(), complexes::boxAxis(8) })
+  {
+    const MedialAxis axis = drawing.axis();
+    PruneOptions options = once(Measure::TriangleCount, 1e9, 1);
+    options.topology = Topology::PaperGraph;
+    const Pruned pruned = medial::prune(axis, options);
+    expectBetti(pruned, axis.betti);
+    expectConsistent(axis, pruned);
+  }
+  const MedialAxis axis = complexes::fourNodesAndSixParts().axis();
+  PruneOptions options = byHand({ axis.cells.firstTriangle() });
+  options.topology = Topology::PaperGraph;
+  EXPECT_EQ(medial::prune(axis, options).fates.at(0), CellFate::Topology);
+}
+
+TEST(Pruning, ByThePapersGraphLosesTheLoopOfAKnot)
+{
+  const MedialAxis& axis = pipelines::of("knot").axis();
+  PruneOptions options = once(Measure::TriangleCount, 5);
+  options.schedule.push_back({ Measure::RelativeVolume, 1, 0 });
+  options.verifyTopology = true;
+  expectBetti(medial::prune(axis, options), { 1, 1, 0 });
+  options.topology = Topology::PaperGraph;
+  const Pruned pruned = medial::prune(axis, options);
+  EXPECT_EQ(pruned.axis.betti[1], 0);
+  EXPECT_GT(pruned.history[0].topologyChanges + pruned.history[1].topologyChanges, 0);
+}
+
+TEST(Pruning, CountsWhatChangesWithoutTopology)
+{
+  PruneOptions options = once(Measure::TriangleCount, 1e9);
+  options.topology = Topology::None;
+  options.verifyTopology = true;
+  EXPECT_GT(
+    medial::prune(complexes::cycleWithLoop().axis(), options).history[0].topologyChanges, 0);
+}
+
+TEST(Pruning, NeverRemovesWhatIsProtected)
+{
+  forEachShape([](Pipeline& p) {
+    for (const Topology topology : { Topology::Collapse, Topology::None, Topology::PaperGraph })
+    {
+      PruneOptions options = once(Measure::RelativeVolume, 1);
+      options.topology = topology;
+      const Index cells = p.axis().cells.size();
+      options.cellsToProtect = { 0, cells / 3, cells - 1 };
+      options.cellsToRemove = { cells / 3 };
+      const Pruned pruned = medial::prune(p.axis(), options);
+      expectConsistent(p.axis(), pruned);
+      for (const Index cell : options.cellsToProtect)
+      {
+        EXPECT_EQ(pruned.removedInIteration[cell], None);
+        const auto at = std::find(pruned.inputCell.begin(), pruned.inputCell.end(), cell);
+        const Index part = pruned.parts.partOfCell[at - pruned.inputCell.begin()];
+        EXPECT_EQ(pruned.keepReason[part], KeepReason::Protected);
+      }
+      EXPECT_EQ(pruned.fates, std::vector<CellFate>{ CellFate::Protected });
+      EXPECT_EQ(pruned.history.back().refusedProtected, 1);
+    }
+  });
+}
+
+TEST(Pruning, ProtectsABranchThroughOneOfItsParts)
+{
+  // As in RemovesABranchWhole, with a cell of a flap protected: the stem stays too.
+  Drawing drawing;
+  const Point x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  drawing.sheet(Point(0, 0, 0), x, y, 8, 8);
+  drawing.sheet(Point(4, 4, 0), z, x, 1, 1);
+  drawing.sheet(Point(4, 4, 1), x, y, 1, 2);
+  drawing.sheet(Point(4, 4, 1), x, z - y, 1, 2);
+  const MedialAxis axis = drawing.axis();
+  PruneOptions options = once(Measure::TriangleCount, 10);
+  options.cellsToProtect = { 130 };
+  const Pruned pruned = medial::prune(axis, options);
+  EXPECT_EQ(pruned.removedInIteration[130], None);
+  EXPECT_EQ(pruned.removedInIteration[128], None); // without the other flap: one part with it
+  EXPECT_EQ(pruned.removedInIteration[134], 0);
+  expectBetti(pruned, { 1, 0, 0 });
+}
+
+TEST(Pruning, SplitsRefusalsByReason)
+{
+  forEachShape([](Pipeline& p) {
+    for (const PruneRow& row : p.pruned().history)
+    {
+      EXPECT_EQ(row.refused, row.refusedByTopology + row.refusedIsolated + row.refusedProtected);
+      EXPECT_EQ(row.refusedProtected, 0);
+    }
+  });
+  const MedialAxis axis = complexes::cycleWithLoop().axis();
+  PruneOptions options = once(Measure::TriangleCount, 1e9, 1);
+  options.cellsToProtect = { axis.cells.size() - 1 }; // of a fin
+  const PruneRow row = medial::prune(axis, options).history.at(0);
+  EXPECT_EQ(row.refusedByTopology, 3);
+  EXPECT_EQ(row.refusedProtected, 1);
+  EXPECT_EQ(row.removed, 2);
+  const MedialAxis sheet = complexes::cycleWithoutLoop().axis();
+  EXPECT_EQ(
+    medial::prune(sheet, once(Measure::TriangleCount, 1e9)).history.at(0).refusedIsolated, 1);
+}
+
+TEST(Pruning, TellsWhatBecameOfEachCellNamed)
+{
+  const MedialAxis axis = complexes::cycleWithLoop().axis();
+  PruneOptions options = once(Measure::TriangleCount, 4, 1); // the fins of 4 triangles
+  const Index last = axis.cells.size() - 1, first = axis.cells.firstTriangle();
+  options.cellsToProtect = { last };
+  options.cellsToRemove = { first, last, last - 4, last };
+  EXPECT_EQ(medial::prune(axis, options).fates,
+    (std::vector<CellFate>{
+      CellFate::Topology, CellFate::Protected, CellFate::AlreadyGone, CellFate::Protected }));
 }
 
 TEST(Pruning, SaysWhatWentAndWhatStayed)
@@ -638,4 +840,7 @@ TEST(Pruning, RefusesCellsThatAreNotThere)
   const MedialAxis axis = complexes::cycleWithLoop().axis();
   EXPECT_THROW(medial::prune(axis, byHand({ axis.cells.size() })), medial::InvalidInput);
   EXPECT_THROW(medial::prune(axis, byHand({ -1 })), medial::InvalidInput);
+  PruneOptions options;
+  options.cellsToProtect = { axis.cells.size() };
+  EXPECT_THROW(medial::prune(axis, options), medial::InvalidInput);
 }

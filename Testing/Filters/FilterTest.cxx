@@ -163,13 +163,13 @@ Pipeline& boxPipeline()
   return pipeline;
 }
 
-ErrorLog::ErrorLog(vtkAlgorithm* filter)
+ErrorLog::ErrorLog(vtkAlgorithm* filter, unsigned long event)
   : Filter(filter)
 {
   vtkNew<vtkCallbackCommand> listener;
   listener->SetCallback(receive);
   listener->SetClientData(this);
-  this->Observers.push_back(filter->AddObserver(vtkCommand::ErrorEvent, listener));
+  this->Observers.push_back(filter->AddObserver(event, listener));
   vtkNew<vtkCallbackCommand> deaf; // the executive repeats that a filter has failed
   this->Observers.push_back(filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, deaf));
 }

@@ -49,11 +49,11 @@ struct Pipeline
 /// The pipeline of the small box, updated, the same for all tests of a program.
 Pipeline& boxPipeline();
 
-/// Collects what an object sends as errors, and keeps them off the screen.
+/// Collects what an object sends as errors, or as warnings, and keeps them off the screen.
 class ErrorLog
 {
 public:
-  explicit ErrorLog(vtkAlgorithm* filter);
+  explicit ErrorLog(vtkAlgorithm* filter, unsigned long event = vtkCommand::ErrorEvent);
   ~ErrorLog();
   const std::vector<std::string>& messages() const { return this->Messages; }
 

@@ -162,7 +162,7 @@ TEST(Conversion, FindsTheCellsOfParts)
   vtkNew<vtkPolyData> parts, contacts;
   vtkNew<vtkTable> table;
   medial::write(values().parts, axisData(), parts, table, contacts);
-  const std::vector<medial::Index> cells = medial::readCells(parts, { 1 }, { 0 });
+  const std::vector<medial::Index> cells = medial::readCells(parts, { 1 }, { 0 }, "removed");
   ASSERT_FALSE(cells.empty());
   EXPECT_EQ(cells.front(), 0);
   EXPECT_EQ(static_cast<std::ptrdiff_t>(cells.size()) - 1,

@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTest.h"
 
+#include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationIntegerKey.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
 #include <vtkTable.h>
 
+#include <functional>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace
@@ -59,8 +68,9 @@ TEST(MedialPrune, HasTheColumnsOfItsHeader)
   EXPECT_EQ(arrays(history(boxPipeline().prune)->GetRowData()),
     (std::vector<std::string>{ "Betti idtype 3", "ByHand unsigned char 1", "Candidates idtype 1",
       "Iteration idtype 1", "Measure int 1", "PartsAfter idtype 1", "PartsBefore idtype 1",
-      "Passes int 1", "Refused idtype 1", "Removed idtype 1", "Threshold double 1",
-      "VolumeRemoved double 1" }));
+      "Passes int 1", "Refused idtype 1", "RefusedByTopology idtype 1", "RefusedIsolated idtype 1",
+      "RefusedProtected idtype 1", "Removed idtype 1", "Threshold double 1",
+      "TopologyChanges idtype 1", "VolumeRemoved double 1" }));
 }
 
 TEST(MedialPrune, HasTheArraysOfItsHeaderOnWhatItRemoved)
@@ -295,6 +305,253 @@ TEST(MedialPrune, RefusesAMeasureThatItDoesNotKnow)
   EXPECT_EQ(filter->GetNumberOfIterations(), 0);
 }
 
+/// A selection of cells or points by a list of numbers.
+vtkSmartPointer<vtkSelectionNode> selectionNode(
+  int content, int field, const std::vector<double>& values, const char* array = "")
+{
+  vtkNew<vtkDoubleArray> list;
+  list->SetName(array);
+  list->SetNumberOfComponents(content == vtkSelectionNode::THRESHOLDS ? 2
+      : content == vtkSelectionNode::LOCATIONS                        ? 3
+                                                                      : 1);
+  for (const double value : values)
+  {
+    list->InsertNextValue(value);
+  }
+  vtkNew<vtkIdTypeArray> ids;
+  ids->DeepCopy(list);
+  auto node = vtkSmartPointer<vtkSelectionNode>::New();
+  node->SetContentType(content);
+  node->SetFieldType(field);
+  const bool isIds = content == vtkSelectionNode::INDICES || content == vtkSelectionNode::VALUES;
+  node->SetSelectionList(isIds ? static_cast<vtkDataArray*>(ids) : list);
+  return node;
+}
+
+vtkSmartPointer<vtkSelection> selectionOf(
+  const std::vector<vtkSmartPointer<vtkSelectionNode>>& nodes, const char* expression = "")
+{
+  auto selection = vtkSmartPointer<vtkSelection>::New();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    selection->SetNode("n" + std::to_string(i), nodes[i]);
+  }
+  selection->SetExpression(expression);
+  return selection;
+}
+
+/// How many cells of the input the filter removes with a selection.
+vtkIdType removedWith(vtkSelection* selection)
+{
+  vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
+  filter->SetTopologyToNone();
+  filter->SetInputData(1, selection);
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorCode(), 0u);
+  return removed(filter)->GetNumberOfCells();
+}
+
+vtkIdType cellsOfParts(const std::function<bool(double)>& chosen)
+{
+  vtkDataArray* parts = boxPipeline().parts->GetOutput()->GetCellData()->GetArray("PartId");
+  vtkIdType cells = 0;
+  for (vtkIdType i = 0; i < parts->GetNumberOfTuples(); ++i)
+  {
+    cells += chosen(parts->GetComponent(i, 0));
+  }
+  return cells;
+}
+
+double partOf(vtkIdType cell)
+{
+  return boxPipeline().parts->GetOutput()->GetCellData()->GetArray("PartId")->GetComponent(cell, 0);
+}
+
+TEST(MedialPrune, RemovesThePartsOfSelectedCells)
+{
+  const double a = partOf(0), b = partOf(100);
+  ASSERT_NE(a, b);
+  const vtkIdType expected = cellsOfParts([=](double part) { return part == a || part == b; });
+  using Node = vtkSelectionNode;
+  const auto both = selectionNode(Node::INDICES, Node::CELL, { 0, 100 });
+  const auto onlyB = selectionNode(Node::VALUES, Node::CELL, { b }, "PartId");
+  EXPECT_EQ(removedWith(selectionOf({ both })), expected);
+  EXPECT_EQ(
+    removedWith(selectionOf({ selectionNode(Node::INDICES, Node::CELL, { 0 }), onlyB })), expected);
+  EXPECT_EQ(removedWith(selectionOf({ both, onlyB }, "n0 & !n1")),
+    cellsOfParts([=](double part) { return part == a; }));
+  EXPECT_EQ(
+    removedWith(selectionOf({ selectionNode(Node::THRESHOLDS, Node::CELL, { 2, 4 }, "PartId") })),
+    cellsOfParts([](double part) { return part >= 2 && part <= 4; }));
+}
+
+TEST(MedialPrune, RemovesThePartsAtSelectedPoints)
+{
+  vtkPolyData* parts = boxPipeline().parts->GetOutput();
+  vtkNew<vtkIdList> corners;
+  parts->GetCellPoints(100, corners);
+  const vtkIdType point = corners->GetId(0);
+  std::set<double> there;
+  for (vtkIdType cell = 0; cell < parts->GetNumberOfCells(); ++cell)
+  {
+    parts->GetCellPoints(cell, corners);
+    if (corners->IsId(point) >= 0)
+    {
+      there.insert(partOf(cell));
+    }
+  }
+  const vtkIdType expected = cellsOfParts([&](double part) { return there.count(part) > 0; });
+  using Node = vtkSelectionNode;
+  const auto byIndex = selectionNode(Node::INDICES, Node::POINT, { static_cast<double>(point) });
+  byIndex->GetProperties()->Set(Node::PROCESS_ID(), 3);
+  byIndex->GetProperties()->Set(Node::COMPOSITE_INDEX(), 7);
+  EXPECT_EQ(removedWith(selectionOf({ byIndex })), expected);
+  double place[3];
+  parts->GetPoint(point, place);
+  const auto byPlace =
+    selectionNode(Node::LOCATIONS, Node::POINT, { place[0], place[1], place[2] });
+  byPlace->GetProperties()->Set(Node::EPSILON(), 1e-9);
+  EXPECT_EQ(removedWith(selectionOf({ byPlace })), expected);
+}
+
+TEST(MedialPrune, RemovesThePartsInASelectedFrustum)
+{
+  // The half space z > 0.1, as a box whose corners begin near, left, below.
+  vtkPolyData* parts = boxPipeline().parts->GetOutput();
+  const double far = 100, near = 0.1;
+  vtkNew<vtkDoubleArray> list;
+  list->SetNumberOfComponents(4);
+  for (const double x : { -far, far })
+  {
+    for (const double y : { -far, far })
+    {
+      for (const double z : { far, near })
+      {
+        list->InsertNextTuple4(x, y, z, 1);
+      }
+    }
+  }
+  vtkNew<vtkSelectionNode> node;
+  node->SetContentType(vtkSelectionNode::FRUSTUM);
+  node->SetFieldType(vtkSelectionNode::CELL);
+  node->SetSelectionList(list);
+  std::set<double> touched;
+  for (vtkIdType cell = 0; cell < parts->GetNumberOfCells(); ++cell)
+  {
+    if (parts->GetCell(cell)->GetBounds()[5] > near)
+    {
+      touched.insert(partOf(cell));
+    }
+  }
+  const vtkIdType expected = cellsOfParts([&](double part) { return touched.count(part) > 0; });
+  ASSERT_GT(expected, 0);
+  ASSERT_LT(expected, parts->GetNumberOfCells());
+  EXPECT_EQ(removedWith(selectionOf({ node.Get() })), expected);
+}
+
+TEST(MedialPrune, RemovesNothingWithAnEmptySelection)
+{
+  using Node = vtkSelectionNode;
+  EXPECT_EQ(removedWith(selectionOf({})), 0);
+  EXPECT_EQ(removedWith(selectionOf({ selectionNode(Node::INDICES, Node::CELL, {}) })), 0);
+}
+
+TEST(MedialPrune, ProtectsThePartsOfASelection)
+{
+  vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
+  filter->SetTopologyToNone();
+  filter->AddIteration(vtkMedialPrune::RELATIVE_VOLUME, 1);
+  filter->SetInputData(
+    1, selectionOf({ selectionNode(vtkSelectionNode::INDICES, vtkSelectionNode::CELL, { 0 }) }));
+  filter->SetSelectionRoleToProtect();
+  filter->Update();
+  const double part = partOf(0);
+  EXPECT_GE(
+    filter->GetOutput()->GetNumberOfCells(), cellsOfParts([=](double p) { return p == part; }));
+  EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("KeepReason")->GetRange()[1], 4);
+  EXPECT_GT(history(filter)->GetValueByName(0, "RefusedProtected").ToInt(), 0);
+}
+
+TEST(MedialPrune, RefusesSelectionsThatItCantEvaluate)
+{
+  using Node = vtkSelectionNode;
+  const auto errorWith = [](vtkSelection* selection) {
+    vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
+    filter->SetInputData(1, selection);
+    return onlyError(filter);
+  };
+  const auto good = selectionNode(Node::INDICES, Node::CELL, { 0 });
+  for (const int content : { Node::QUERY, Node::USER, Node::BLOCKS, Node::BLOCK_SELECTORS })
+  {
+    const auto bad = selectionNode(Node::INDICES, Node::CELL, { 0 });
+    bad->SetContentType(content);
+    const std::string error = errorWith(selectionOf({ good, bad }, "n0 | (n0 & !n1)"));
+    EXPECT_NE(error.find(std::string("of the type ") + Node::GetContentTypeAsString(content)),
+      std::string::npos)
+      << error;
+    EXPECT_NE(error.find("by their indices instead"), std::string::npos) << error;
+  }
+  const std::vector<std::pair<vtkSmartPointer<vtkSelectionNode>, const char*>> others = {
+    { selectionNode(Node::INDICES, Node::ROW, { 0 }), "neither of cells nor of points" },
+    { selectionNode(Node::VALUES, Node::CELL, { 0 }, "Nothing"), "array 'Nothing'" },
+    { selectionNode(Node::GLOBALIDS, Node::CELL, { 0 }), "ids that the axis doesn't have" },
+    { selectionNode(Node::FRUSTUM, Node::CELL, { 0 }), "another shape" },
+  };
+  for (const auto& [node, words] : others)
+  {
+    const std::string error = errorWith(selectionOf({ node }));
+    EXPECT_NE(error.find(words), std::string::npos) << error;
+  }
+}
+
+TEST(MedialPrune, WarnsOnceOfWhatItDidNotRemove)
+{
+  vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
+  filter->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, 5, 1);
+  filter->RemoveHairOff();
+  filter->Update();
+  const auto gone =
+    static_cast<vtkIdType>(removed(filter)->GetCellData()->GetArray("PartId")->GetComponent(0, 0));
+  vtkIdType kept = 0;
+  const vtkIdType tail = boxPipeline().parts->GetOutput()->GetNumberOfCells() - 1;
+  kept = static_cast<vtkIdType>(partOf(tail));
+  ASSERT_NE(kept, gone);
+  filter->AddPartToRemove(gone);
+  filter->AddPartToRemove(kept);
+  filter->AddPartToProtect(kept);
+  const filterTest::ErrorLog log(filter, vtkCommand::WarningEvent);
+  filter->Update();
+  ASSERT_EQ(log.messages().size(), 1u);
+  const std::string text = log.messages()[0];
+  EXPECT_NE(text.find("parts " + std::to_string(gone) + ": already gone"), std::string::npos)
+    << text;
+  EXPECT_NE(text.find("parts " + std::to_string(kept) + ": protected"), std::string::npos) << text;
+  EXPECT_EQ(filter->GetErrorCode(), 0u);
+}
+
+TEST(MedialPrune, RefusesToProtectWhatIsNotThere)
+{
+  vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
+  filter->AddPartToProtect(123456);
+  const std::string error = onlyError(filter);
+  EXPECT_NE(error.find("part 123456 can't be protected"), std::string::npos) << error;
+  filter->ClearPartsToProtect();
+  filter->AddCellToProtect(-1);
+  const std::string cell = onlyError(filter);
+  EXPECT_NE(cell.find("cell -1 can't be protected"), std::string::npos) << cell;
+}
+
+TEST(MedialPrune, RunsAloneWhenAThresholdChanges)
+{
+  filterTest::Pipeline pipeline(filterTest::cloud(filterTest::smallBox().samples));
+  pipeline.prune->Update();
+  const vtkMTimeType before = pipeline.axis->GetOutput()->GetMTime();
+  pipeline.prune->ClearIterations();
+  pipeline.prune->AddIteration(vtkMedialPrune::RELATIVE_VOLUME, 0.02);
+  pipeline.prune->Update();
+  EXPECT_EQ(pipeline.axis->GetOutput()->GetMTime(), before);
+}
+
 TEST(MedialPrune, RunsAgainWhenAPropertyChanges)
 {
   vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
@@ -308,6 +565,13 @@ TEST(MedialPrune, RunsAgainWhenAPropertyChanges)
     [&] { filter->ClearPartsToRemove(); },
     [&] { filter->AddCellToRemove(1); },
     [&] { filter->ClearCellsToRemove(); },
+    [&] { filter->AddPartToProtect(1); },
+    [&] { filter->ClearPartsToProtect(); },
+    [&] { filter->AddCellToProtect(1); },
+    [&] { filter->ClearCellsToProtect(); },
+    [&] { filter->SetTopologyToPaperGraph(); },
+    [&] { filter->VerifyTopologyOn(); },
+    [&] { filter->SetSelectionRoleToProtect(); },
   };
   for (std::size_t i = 0; i < changes.size(); ++i)
   {
@@ -323,7 +587,8 @@ TEST(MedialPrune, DescribesItsProperties)
   std::ostringstream text;
   boxPipeline().prune->Print(text);
   for (const char* word : { "TriangleCount <= 5", "RelativeVolume <= 0.01", "Topology: COLLAPSE",
-         "RemoveHair: on", "RemoveBranches: on", "PartsToRemove: 0", "CellsToRemove: 0" })
+         "RemoveHair: on", "RemoveBranches: on", "PartsToRemove: 0", "CellsToRemove: 0",
+         "PartsToProtect: 0", "CellsToProtect: 0", "SelectionRole: REMOVE", "VerifyTopology: off" })
   {
     EXPECT_NE(text.str().find(word), std::string::npos) << word;
   }

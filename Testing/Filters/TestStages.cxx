@@ -64,7 +64,7 @@ public:
   {
     vtkAlgorithm* model = aStage.of(boxPipeline());
     this->Filter.TakeReference(vtkAlgorithm::SafeDownCast(model->NewInstance()));
-    for (int port = 0; port < model->GetNumberOfInputPorts(); ++port)
+    for (int port = 0; port < model->GetTotalNumberOfInputConnections(); ++port)
     {
       this->setInput(port, model->GetInputDataObject(port, 0));
     }
@@ -169,7 +169,7 @@ TEST_P(Stages, GiveTheSameFromTheirInputInAFile)
 {
   Alone alone(this->GetParam());
   vtkAlgorithm* model = this->GetParam().of(boxPipeline());
-  for (int port = 0; port < model->GetNumberOfInputPorts(); ++port)
+  for (int port = 0; port < model->GetTotalNumberOfInputConnections(); ++port)
   {
     alone.setInput(port, filterTest::writtenAndRead(model->GetInputDataObject(port, 0)));
   }
