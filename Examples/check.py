@@ -268,6 +268,13 @@ class SimplifyShape(unittest.TestCase):
             with open(os.path.join(out, name), "rb") as file:
                 size = struct.unpack(">II", file.read(24)[16:])
             self.assertEqual(size, (2500, 560) if name == "overview.png" else (900, 900))
+        figure10 = os.path.join(os.path.dirname(os.path.abspath(__file__)), "figure10")
+        subprocess.run([figure10, os.path.join(out, "history.csv"), self.path("10.png")], check=True)
+        with open(self.path("10.png"), "rb") as file:
+            self.assertEqual(struct.unpack(">II", file.read(24)[16:]), (900, 600))
+        failed = subprocess.run([figure10], capture_output=True, text=True)
+        self.assertEqual(failed.returncode, 1)
+        self.assertIn("history.csv", failed.stderr)
 
 
 if __name__ == "__main__":
