@@ -57,9 +57,17 @@ constexpr const char* PartId = "PartId"; // and column of the table
 constexpr const char* PartLevel = "PartLevel";
 constexpr const char* TriangleCount = "TriangleCount";
 constexpr const char* RelativeVolume = "RelativeVolume"; // and column of the table
+constexpr const char* PartPoleVolume = "PartPoleVolume";
+constexpr const char* PartArea = "PartArea";
+constexpr const char* PartMeanRadius = "PartMeanRadius";
+constexpr const char* PartMaximumRadius = "PartMaximumRadius";
+constexpr const char* PartObjectAngle = "PartObjectAngle";
+constexpr const char* PartLambda = "PartLambda";
+constexpr const char* PartErosionThickness = "PartErosionThickness";
+constexpr const char* PartHausdorffDistance = "PartHausdorffDistance";
 // ... field data, single values
 constexpr const char* NumberOfParts = "NumberOfParts";
-// ... columns of the table of parts; Volume too
+// ... columns of the table of parts; Volume, ObjectAngle, Lambda, ErosionThickness too
 constexpr const char* Dimension = "Dimension";
 constexpr const char* Level = "Level";
 constexpr const char* Triangles = "Triangles";
@@ -67,16 +75,20 @@ constexpr const char* Area = "Area";
 constexpr const char* MeanRadius = "MeanRadius";
 constexpr const char* MinimumRadius = "MinimumRadius";
 constexpr const char* MaximumRadius = "MaximumRadius";
+constexpr const char* HausdorffDistance = "HausdorffDistance";
 constexpr const char* Contacts = "Contacts";
+constexpr const char* Neighbors = "Neighbors";
+constexpr const char* OnLoop = "OnLoop";
+constexpr const char* Centroid = "Centroid";
+constexpr const char* PrincipalLengths = "PrincipalLengths";
 constexpr const char* Bounds = "Bounds";
 // ... contact curves: cells, and lists of parts in the field data, one list for each curve
 constexpr const char* ContactId = "ContactId";
 constexpr const char* ContactPartOffsets = "ContactPartOffsets";
 constexpr const char* ContactParts = "ContactParts";
-// ... topology graph: points; PartId too
+// ... topology graph: points; PartId, OnLoop too
 constexpr const char* NodeId = "NodeId"; // and of its cells
 constexpr const char* Degree = "Degree";
-constexpr const char* OnLoop = "OnLoop";
 
 // vtkMedialPrune: cells
 constexpr const char* KeepReason = "KeepReason";

@@ -224,8 +224,18 @@ void addParts(vtkPolyData* axis, const MedialParts& parts)
   add<vtkIdTypeArray>(cells, names::PartId, partOfCell);
   add<vtkIntArray>(cells, names::PartLevel, partOfCell, ofPart(&MedialPart::level));
   add<vtkIdTypeArray>(cells, names::TriangleCount, partOfCell, ofPart(&MedialPart::triangles));
-  add<vtkDoubleArray>(
-    cells, names::RelativeVolume, partOfCell, ofPart(&MedialPart::relativeVolume));
+  const auto addMeasure = [&](const char* name, double MedialPart::*member) {
+    add<vtkDoubleArray>(cells, name, partOfCell, ofPart(member));
+  };
+  addMeasure(names::RelativeVolume, &MedialPart::relativeVolume);
+  addMeasure(names::PartPoleVolume, &MedialPart::poleVolume);
+  addMeasure(names::PartArea, &MedialPart::area);
+  addMeasure(names::PartMeanRadius, &MedialPart::meanRadius);
+  addMeasure(names::PartMaximumRadius, &MedialPart::maximumRadius);
+  addMeasure(names::PartObjectAngle, &MedialPart::objectAngle);
+  addMeasure(names::PartLambda, &MedialPart::lambda);
+  addMeasure(names::PartErosionThickness, &MedialPart::erosionThickness);
+  addMeasure(names::PartHausdorffDistance, &MedialPart::hausdorffDistance);
   addOne<vtkIdTypeArray>(axis->GetFieldData(), names::NumberOfParts, count(parts.parts));
 }
 
@@ -243,11 +253,22 @@ void addPartTable(vtkFieldData* rows, const std::vector<MedialPart>& parts)
   add<vtkDoubleArray>(rows, names::MeanRadius, parts, &MedialPart::meanRadius);
   add<vtkDoubleArray>(rows, names::MinimumRadius, parts, &MedialPart::minimumRadius);
   add<vtkDoubleArray>(rows, names::MaximumRadius, parts, &MedialPart::maximumRadius);
+  add<vtkDoubleArray>(rows, names::PoleVolume, parts, &MedialPart::poleVolume);
+  add<vtkDoubleArray>(rows, names::ObjectAngle, parts, &MedialPart::objectAngle);
+  add<vtkDoubleArray>(rows, names::Lambda, parts, &MedialPart::lambda);
+  add<vtkDoubleArray>(rows, names::ErosionThickness, parts, &MedialPart::erosionThickness);
+  add<vtkDoubleArray>(rows, names::HausdorffDistance, parts, &MedialPart::hausdorffDistance);
   add<vtkIdTypeArray>(rows, names::Contacts, parts, &MedialPart::contacts);
+  add<vtkIdTypeArray>(rows, names::Neighbors, parts, &MedialPart::neighbors);
+  add<vtkUnsignedCharArray>(rows, names::OnLoop, parts, &MedialPart::onLoop);
   rows->AddArray(tuples<vtkDoubleArray>(names::Bounds, 6, parts, [](const MedialPart& part) {
     const Point &from = part.lower, &to = part.upper;
     return std::array{ from.x(), to.x(), from.y(), to.y(), from.z(), to.z() };
   }));
+  rows->AddArray(tuples<vtkDoubleArray>(
+    names::Centroid, 3, parts, [](const MedialPart& part) { return part.centroid; }));
+  rows->AddArray(tuples<vtkDoubleArray>(names::PrincipalLengths, 3, parts,
+    [](const MedialPart& part) { return part.principalLengths; }));
 }
 
 /// A vertex for each contact of one point, a polyline for each other, with its number.

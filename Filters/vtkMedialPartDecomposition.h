@@ -17,13 +17,26 @@
  *    for closed sheets that no border reaches, and above MaximumLevel.
  *  - `TriangleCount` (vtkIdType): of its part.
  *  - `RelativeVolume` (double, 0 ... 1): the share of its part in the solid's volume.
+ *  - `PartPoleVolume`, `PartArea`, `PartMeanRadius`, `PartMaximumRadius`, `PartObjectAngle` (degrees),
+ *    `PartLambda`, `PartErosionThickness`, `PartHausdorffDistance` (double): the other measures of its
+ *    part, defined in README.md.
  *
  * Field data: `NumberOfParts` (vtkIdType, 1 value).
  *
- * Output 1: vtkTable, one row for each part: `PartId`, `Triangles`, `Contacts` (number of contact
- * curves; vtkIdType), `Dimension` (int; 2 triangles, 1 lines, 0 a vertex), `Level` (int), `Area`,
- * `Volume`, `RelativeVolume` (they sum to 1), `MeanRadius`, `MinimumRadius`, `MaximumRadius` (over
- * its points), `Bounds` (6 components: x, y, z from, to each) (double).
+ * Output 1: vtkTable, one row for each part
+ *  - `PartId`, `Triangles`, `Contacts` (number of contact curves), `Neighbors` (number of parts that it
+ *    shares a contact with) (vtkIdType).
+ *  - `Dimension` (2 triangles, 1 lines, 0 a vertex), `Level` (int).
+ *  - `OnLoop` (unsigned char): 1 where the part joins contacts that hang together without it, as in
+ *    output 3.
+ *  - `Area`, `Volume`, `RelativeVolume` (they sum to 1), `MeanRadius`, `MinimumRadius`, `MaximumRadius`
+ *    (over its points), `PoleVolume`, `ObjectAngle`, `Lambda`, `ErosionThickness`, `HausdorffDistance`
+ *    (double): the measures as above.
+ *  - `Bounds` (double, 6 components): x, y, z from, to each.
+ *  - `Centroid` (double, 3 components): of its triangles by area, of its lines by length.
+ *  - `PrincipalLengths` (double, 3 components): the sides, descending, of the box with the same second
+ *    moments: sqrt(12) times the standard deviations along the principal axes. A rectangle has its
+ *    sides and 0.
  *
  * Output 2: vtkPolyData, the contact curves on the points of the axis: a polyline for each curve,
  * a vertex for a contact in one point. Cell data `ContactId` (vtkIdType). Field data: the parts that

@@ -17,9 +17,9 @@
  * thresholds of an array, ids, locations and frusta can be used; queries can't.
  *
  * Output 0: vtkPolyData, the living cells on all points of the input: ids of points stay. Arrays of
- * the input are passed on; `PartId`, `PartLevel`, `TriangleCount`, `RelativeVolume` (cells),
- * `NumberOfParts`, `BettiAxis`, `Certificate` (field data) are those of the living cells, see
- * vtkMedialPartDecomposition and vtkMedialAxis. New cell data
+ * the input are passed on; the cell data of vtkMedialPartDecomposition, `PartId`, `PartLevel` and all
+ * measures, and the field data `NumberOfParts`, `BettiAxis`, `Certificate` are those of the living
+ * cells, see there and vtkMedialAxis. New cell data
  *  - `KeepReason` (unsigned char): why the cell's part is still there. 0 its significance is above
  *    the last threshold, together with what went from it; 1 topology; 2 not of level 1; 3 a whole
  *    component of the axis; 4 protected.
@@ -94,7 +94,8 @@ public:
   ///@}
 
   /**
-   * The name of a MeasureType: the column of the table of parts. Null where there is no such measure.
+   * The name of a MeasureType: the column of the table of parts (there `Triangles` for TRIANGLE_COUNT).
+   * Null where there is no such measure.
    */
   static const char* GetMeasureName(int measure);
 

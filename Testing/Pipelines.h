@@ -301,7 +301,9 @@ inline std::string bytesOf(const medial::MedialParts& p)
     bytes.add(part.dimension).add(part.level).add(part.triangles).add(part.area);
     bytes.add(part.volume).add(part.relativeVolume).add(part.meanRadius);
     bytes.add(part.minimumRadius).add(part.maximumRadius).add(part.contacts);
-    bytes.add(part.lower).add(part.upper).add(part.centroid);
+    bytes.add(part.poleVolume).add(part.objectAngle).add(part.lambda).add(part.erosionThickness);
+    bytes.add(part.hausdorffDistance).add(part.neighbors).add(part.onLoop);
+    bytes.add(part.principalLengths).add(part.lower).add(part.upper).add(part.centroid);
   }
   for (const medial::ContactCurve& curve : p.contacts)
   {

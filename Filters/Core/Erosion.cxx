@@ -70,8 +70,8 @@ public:
     : axis(theAxis)
     , edges(axisEdges(theAxis.cells))
     , firstOfLines(3 * count(theAxis.cells.triangles))
-    , sectors(firstOfLines + 2 * count(theAxis.cells.edges))
     , time(firstOfLines + 2 * count(theAxis.cells.edges), never)
+    , sectorOf(time.size(), None)
     , burnt(time.size(), 0)
     , nextOfSector(time.size(), None)
     , sectorsAt(theAxis.points.size(), 0)
@@ -93,9 +93,9 @@ public:
   }
 
   /// Burn time minus radius at each corner.
-  double thickness(Index corner)
+  double thickness(Index corner) const
   {
-    return this->time[this->sectors.find(corner)] - this->axis.radii[this->pointOf(corner)];
+    return this->time[this->sectorOf[corner]] - this->axis.radii[this->pointOf(corner)];
   }
 
   Index cornerCount() const { return count(this->time); }
@@ -121,6 +121,7 @@ private:
 
   void joinCorners()
   {
+    DisjointSets sectors(this->cornerCount());
     for (Index e = 0; e < count(this->edges.points); ++e)
     {
       const IndexLists::View at = this->edges.triangles[e];
@@ -129,14 +130,14 @@ private:
         const Index p = this->edges.points[e][end];
         if (at.size() == 2)
         {
-          this->sectors.unite(this->cornerAt(at[0], p), this->cornerAt(at[1], p));
+          sectors.unite(this->cornerAt(at[0], p), this->cornerAt(at[1], p));
         }
         this->trianglesLeft[2 * e + end] = at.size();
       }
     }
     for (Index corner = this->cornerCount() - 1; corner >= 0; --corner)
     {
-      const Index first = this->sectors.find(corner);
+      const Index first = this->sectorOf[corner] = sectors.find(corner);
       const Index p = this->pointOf(corner);
       this->sectorsAt[p] += first == corner;
       if (first != corner)
@@ -154,7 +155,7 @@ private:
 
   void offer(Index corner, double when)
   {
-    const Index sector = this->sectors.find(corner);
+    const Index sector = this->sectorOf[corner];
     when = std::max(when, this->axis.radii[this->pointOf(corner)]);
     if (!this->burnt[sector] && when < this->time[sector])
     {
@@ -245,6 +246,10 @@ private:
   /// From one corner of a triangle; and straight on from it and the other one, if that has burnt.
   void spread(Index from, Index to, Index other, double when)
   {
+    if (this->burnt[this->sectorOf[to]])
+    {
+      return;
+    }
     double arrival = when + this->distance(from, to);
     const double otherTime = this->timeOf(other);
     if (otherTime <= when && this->isCrossed(from, other))
@@ -284,15 +289,15 @@ private:
   /// Of a burnt corner; never for others.
   double timeOf(Index corner)
   {
-    const Index sector = this->sectors.find(corner);
+    const Index sector = this->sectorOf[corner];
     return this->burnt[sector] ? this->time[sector] : never;
   }
 
   const MedialAxis& axis;
   AxisEdges edges;
   Index firstOfLines;
-  DisjointSets sectors;             ///< of corners
   std::vector<double> time;         ///< of each sector, by its first corner
+  std::vector<Index> sectorOf;      ///< for each corner the first of its sector
   std::vector<char> burnt;          ///< of each sector
   std::vector<Index> nextOfSector;  ///< for each corner
   std::vector<Index> sectorsAt;     ///< unburnt, for each point

@@ -134,7 +134,8 @@ std::vector<double> PartMeasures::poleVolumes(const Partition& partition) const
   return result;
 }
 
-std::vector<double> PartMeasures::hausdorffDistances(const Partition& partition) const
+std::vector<double> PartMeasures::hausdorffDistances(
+  const Partition& partition, const Execution& execution) const
 {
   const Index shared = partition.cells.size();
   std::vector<Index> partOf(this->axis.ballOwner.size(), None); // the only one that holds it
@@ -159,16 +160,19 @@ std::vector<double> PartMeasures::hausdorffDistances(const Partition& partition)
   }
   const double diagonal = boundingDiagonal(balls);
   const BallTree tree(balls, groups);
-  std::vector<double> result(partition.cells.size(), 0);
+  std::vector<std::vector<Index>> ballsOf(partition.cells.size() + 1);
   for (Index i = 0; i < count(balls); ++i)
   {
-    if (groups[i] != shared)
-    {
-      double& largest = result[groups[i]];
-      largest =
-        std::max(largest, std::min(diagonal, tree.protrusion(balls[i], groups[i], largest)));
-    }
+    ballsOf[groups[i]].push_back(i);
   }
+  std::vector<double> result(partition.cells.size(), 0);
+  execution.forEach(count(result), [&](Index part) {
+    for (const Index i : ballsOf[part])
+    {
+      const double protrusion = tree.protrusion(balls[i], part, result[part]);
+      result[part] = std::max(result[part], std::min(diagonal, protrusion));
+    }
+  });
   return result;
 }
 
@@ -185,7 +189,8 @@ std::vector<double> PartMeasures::objectAngles(const Partition& partition) const
   return means;
 }
 
-std::vector<double> PartMeasures::significance(Measure measure, const Partition& partition) const
+std::vector<double> PartMeasures::significance(
+  Measure measure, const Partition& partition, const Execution& execution) const
 {
   const Index firstTriangle = this->axis.cells.firstTriangle();
   switch (measure)
@@ -217,7 +222,7 @@ std::vector<double> PartMeasures::significance(Measure measure, const Partition&
       return overCells(partition,
         [&](double most, Index cell) { return std::max(most, this->axis.cellErosion[cell]); });
     case Measure::HausdorffDistance:
-      return this->hausdorffDistances(partition);
+      return this->hausdorffDistances(partition, execution);
   }
   return {};
 }

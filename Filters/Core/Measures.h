@@ -2,6 +2,7 @@
 #ifndef medial_Measures_h
 #define medial_Measures_h
 
+#include "Execution.h"
 #include "MedialAxis.h"
 #include "Partition.h"
 #include "Types.h"
@@ -56,13 +57,15 @@ public:
   explicit PartMeasures(const MedialAxis& axis);
 
   /// For each part of a partition of the axis' cells its value, never negative.
-  std::vector<double> significance(Measure measure, const Partition& partition) const;
+  std::vector<double> significance(
+    Measure measure, const Partition& partition, const Execution& execution = {}) const;
 
 private:
   std::vector<double> ofVolumes(const Partition& partition) const;
   std::vector<double> poleVolumes(const Partition& partition) const;
   std::vector<double> objectAngles(const Partition& partition) const;
-  std::vector<double> hausdorffDistances(const Partition& partition) const;
+  std::vector<double> hausdorffDistances(
+    const Partition& partition, const Execution& execution) const;
 
   const MedialAxis& axis;
   std::vector<double> sizes; ///< of each cell: area, length, 1

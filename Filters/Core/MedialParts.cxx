@@ -2,8 +2,11 @@
 #include "MedialParts.h"
 
 #include "AxisEdges.h"
+#include "Measures.h"
 #include "Partition.h"
+#include "TopologyGraph.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -22,29 +25,62 @@ double triangleArea(const MedialAxis& axis, Index cell)
   return 0.5 * (axis.points[t[1]] - a).cross(axis.points[t[2]] - a).norm();
 }
 
-/// Of the cells of a part by length or area; where they have none, the mean of their corners.
-Point centroid(
-  const MedialAxis& axis, IndexLists::View cells, const std::vector<Index>& cornersOfCells)
+/// The area of a triangle, the length of an edge, 0 for a vertex.
+double sizeOf(const MedialAxis& axis, Index cell)
+{
+  if (cell >= axis.cells.firstTriangle())
+  {
+    return triangleArea(axis, cell);
+  }
+  std::vector<Point> ends;
+  forPoints(axis.cells, cell, [&](Index p) { ends.push_back(axis.points[p]); });
+  return (ends.back() - ends.front()).norm();
+}
+
+/// Of the cells of a part by size; where they have none, the mean of their corners.
+Point centroid(const MedialAxis& axis, IndexLists::View cells, int corners)
 {
   Point sum = Point::Zero(), mean = Point::Zero();
   double size = 0;
-  const Index corners = count(cornersOfCells) / cells.size(); // of each
-  for (Index i = 0; i < cells.size(); ++i)
+  for (const Index cell : cells)
   {
-    const Index* own = cornersOfCells.data() + i * corners;
     Point middle = Point::Zero();
-    for (Index k = 0; k < corners; ++k)
-    {
-      middle += axis.points[own[k]] / corners;
-    }
-    const double weight = corners == 3 ? triangleArea(axis, cells[i])
-      : corners == 2                   ? (axis.points[own[1]] - axis.points[own[0]]).norm()
-                                       : 0;
+    forPoints(axis.cells, cell, [&](Index p) { middle += axis.points[p] / corners; });
+    const double weight = sizeOf(axis, cell);
     sum += weight * middle;
     mean += middle / cells.size();
     size += weight;
   }
   return size > 0 ? Point(sum / size) : mean;
+}
+
+/// The sides of a box are sqrt(12) times the standard deviations within it.
+Point principalLengths(
+  const MedialAxis& axis, IndexLists::View cells, int corners, const Point& center)
+{
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  double size = 0;
+  for (const Index cell : cells)
+  {
+    Eigen::Matrix3d own = Eigen::Matrix3d::Zero();
+    Point sum = Point::Zero();
+    forPoints(axis.cells, cell, [&](Index p) {
+      const Point arm = axis.points[p] - center;
+      own += arm * arm.transpose();
+      sum += arm;
+    });
+    own += sum * sum.transpose();
+    const double weight = sizeOf(axis, cell);
+    moments += weight / (corners * (corners + 1)) * own; // of a simplex
+    size += weight;
+  }
+  if (!(size > 0))
+  {
+    return Point::Zero();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+    moments / size, Eigen::EigenvaluesOnly);
+  return (12 * solver.eigenvalues().reverse().cwiseMax(0)).cwiseSqrt();
 }
 
 MedialPart measured(const MedialAxis& axis, const Partition& partition, Index part)
@@ -66,7 +102,9 @@ MedialPart measured(const MedialAxis& axis, const Partition& partition, Index pa
     }
     forPoints(axis.cells, cell, [&points](Index p) { points.push_back(p); });
   }
-  result.centroid = centroid(axis, partition.cells[part], points);
+  const int corners = result.dimension + 1;
+  result.centroid = centroid(axis, partition.cells[part], corners);
+  result.principalLengths = principalLengths(axis, partition.cells[part], corners, result.centroid);
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   for (const Index p : points)
@@ -96,6 +134,53 @@ void addVolumes(const MedialAxis& axis, MedialParts& result)
   for (MedialPart& part : result.parts)
   {
     part.relativeVolume = total > 0 ? part.volume / total : 0;
+  }
+}
+
+void addMeasures(const MedialAxis& axis, const Partition& partition, const Execution& execution,
+  MedialParts& result)
+{
+  const PartMeasures measures(axis);
+  const auto add = [&](Measure measure, double MedialPart::*member) {
+    const std::vector<double> values = measures.significance(measure, partition, execution);
+    for (std::size_t part = 0; part < values.size(); ++part)
+    {
+      result.parts[part].*member = values[part];
+    }
+  };
+  add(Measure::PoleVolume, &MedialPart::poleVolume);
+  add(Measure::ObjectAngle, &MedialPart::objectAngle);
+  add(Measure::Lambda, &MedialPart::lambda);
+  add(Measure::ErosionThickness, &MedialPart::erosionThickness);
+  add(Measure::HausdorffDistance, &MedialPart::hausdorffDistance);
+}
+
+/// Fills what the contacts tell of the parts.
+void addContacts(MedialParts& result)
+{
+  std::vector<Edge> touching;
+  for (const ContactCurve& curve : result.contacts)
+  {
+    for (const Index part : curve.parts)
+    {
+      ++result.parts[part].contacts;
+      for (const Index other : curve.parts)
+      {
+        touching.push_back({ part, other });
+      }
+    }
+  }
+  std::sort(touching.begin(), touching.end());
+  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  for (const Edge& pair : touching)
+  {
+    result.parts[pair[0]].neighbors += pair[0] != pair[1];
+  }
+  const TopologyGraph graph =
+    topologyGraph(result.contacts, std::vector<char>(result.parts.size(), 0));
+  for (std::size_t part = 0; part < result.parts.size(); ++part)
+  {
+    result.parts[part].onLoop = graph.partOnLoop[part] != 0;
   }
 }
 
@@ -279,14 +364,9 @@ MedialParts decompose(const MedialAxis& axis, int maximumLevel, const Execution&
   execution.forEach(
     count(result.parts), [&](Index part) { result.parts[part] = measured(axis, groups, part); });
   addVolumes(axis, result);
+  addMeasures(axis, groups, execution, result);
   result.contacts = contacts(living, groups);
-  for (const ContactCurve& curve : result.contacts)
-  {
-    for (const Index part : curve.parts)
-    {
-      ++result.parts[part].contacts;
-    }
-  }
+  addContacts(result);
   execution.report(1);
   return result;
 }

@@ -23,9 +23,16 @@ struct MedialPart
   double volume;   ///< of the Delaunay cells whose ball is this part's, cube of the unit
   double relativeVolume;                           ///< volume / sum over all parts
   double meanRadius, minimumRadius, maximumRadius; ///< over its points
-  Index contacts;                                  ///< number of contact curves it has a share in
-  Point lower, upper;                              ///< corners of its bounding box
-  Point centroid; ///< of its triangles by area, of its edges by length
+  /// The measures of these names, see Measures.h.
+  double poleVolume, objectAngle, lambda, erosionThickness, hausdorffDistance;
+  Index contacts;  ///< number of contact curves it has a share in
+  Index neighbors; ///< number of parts that it shares a contact with
+  bool onLoop;     ///< TopologyGraph::partOnLoop: it joins contacts that hang together without it
+  Point lower, upper; ///< corners of its bounding box
+  Point centroid;     ///< of its triangles by area, of its edges by length
+  Point
+    principalLengths; ///< of the box whose moments of inertia are those of its triangles or edges,
+                      ///< descending: a rectangle has its sides and 0
 };
 
 /// An unbroken polyline shared by touching parts (paper 4.3); or a point where a part touches others

@@ -395,7 +395,7 @@ private:
     round.measure = measure;
     round.partition = partition(this->living, 1);
     round.gone.assign(round.partition.dimension.size(), 0);
-    round.significance = this->measures.significance(measure, round.partition);
+    round.significance = this->measures.significance(measure, round.partition, this->execution);
     for (Index cell = 0; cell < count(this->inherited); ++cell)
     {
       if (round.partition.partOfCell[cell] != None && this->inherited[cell] > 0)

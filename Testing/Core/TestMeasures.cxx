@@ -2,12 +2,17 @@
 #include "Pipelines.h"
 
 #include "AxisEdges.h"
+#include "BallTree.h"
+#include "Erosion.h"
 #include "Measures.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
+#include <string>
 
 using medial::allMeasures;
 using medial::Ball;
@@ -208,6 +213,172 @@ TEST(Measures, DecideInTheSchedule)
     }
     options.schedule[0].passes = 0;
     EXPECT_EQ(medial::prune(p.axis(), options).axis.betti, p.shape.betti);
+  }
+}
+
+TEST(Measures, SumToTheWholeWhereTheyShare)
+{
+  forEachShape([](Pipeline& p) {
+    const MedialAxis& axis = p.axis();
+    double area = 0, volume = 0, sheets = 0;
+    for (const MedialPart& part : p.parts().parts)
+    {
+      area += part.area;
+      volume += part.relativeVolume;
+    }
+    for (Index cell = axis.cells.firstTriangle(); cell < axis.cells.size(); ++cell)
+    {
+      sheets += areaOf(axis, cell);
+    }
+    EXPECT_NEAR(area, sheets, 1e-9 * p.diagonal * p.diagonal);
+    EXPECT_NEAR(volume, 1, 1e-9);
+  });
+}
+
+TEST(Measures, PoleVolumeCountsEveryPoleOfThePart)
+{
+  forEachShape([](Pipeline& p) {
+    const MedialAxis& axis = p.axis();
+    std::vector<std::set<Index>> poles(p.parts().parts.size());
+    for (Index cell = 0; cell < axis.cells.size(); ++cell)
+    {
+      medial::forPoints(axis.cells, cell,
+        [&](Index point) { poles[p.parts().partOfCell[cell]].insert(axis.ballOfPoint[point]); });
+    }
+    double solid = 0;
+    for (std::size_t b = 0; b < axis.ballVolumes.size(); ++b)
+    {
+      solid += axis.ballVolumes[b];
+      EXPECT_GE(axis.poleVolumes[b], 0);
+      EXPECT_LE(axis.poleVolumes[b], axis.ballVolumes[b] * (1 + 1e-9));
+    }
+    for (std::size_t i = 0; i < poles.size(); ++i)
+    {
+      double volume = 0;
+      for (const Index ball : poles[i])
+      {
+        volume += ball == None ? 0 : axis.poleVolumes[ball];
+      }
+      EXPECT_NEAR(p.parts().parts[i].poleVolume, volume / solid, 1e-9);
+    }
+  });
+}
+
+TEST(Measures, HausdorffDistanceIsWhatABruteForceSearchFinds)
+{
+  forEachShape([](Pipeline& p) {
+    const MedialAxis& axis = p.axis();
+    std::map<Index, std::set<Index>> partsOfBall;
+    std::map<Index, Ball> balls;
+    for (Index cell = 0; cell < axis.cells.size(); ++cell)
+    {
+      medial::forPoints(axis.cells, cell, [&](Index point) {
+        if (axis.ballOfPoint[point] != None)
+        {
+          partsOfBall[axis.ballOfPoint[point]].insert(p.parts().partOfCell[cell]);
+          balls[axis.ballOfPoint[point]] = { axis.points[point], axis.radii[point] };
+        }
+      });
+    }
+    std::vector<double> expected(p.parts().parts.size(), 0);
+    for (const auto& [b, parts] : partsOfBall)
+    {
+      double least = INFINITY;
+      for (const auto& [c, others] : partsOfBall)
+      {
+        const double protrusion =
+          (balls[b].center - balls[c].center).norm() + balls[b].radius - balls[c].radius;
+        least = parts == others && parts.size() == 1 ? least : std::min(least, protrusion);
+      }
+      if (parts.size() == 1 && least < INFINITY)
+      {
+        double& value = expected[*parts.begin()];
+        value = std::max(value, least);
+      }
+    }
+    for (std::size_t i = 0; i < expected.size() && expected.size() > 1; ++i)
+    {
+      EXPECT_NEAR(p.parts().parts[i].hausdorffDistance, expected[i], 1e-12) << "part " << i;
+    }
+  });
+}
+
+TEST(Measures, HausdorffDistanceOfAFinIsItsHeight)
+{
+  // Balls of radius 1: those of the fin's rim are 3 away from the nearest of the sheet.
+  complexes::Drawing drawing;
+  drawing.sheet(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), 8, 8);
+  drawing.sheet(Point(4, 2, 0), Point(0, 1, 0), Point(0, 0, 1), 4, 3);
+  const MedialAxis axis = drawing.axis();
+  const std::vector<double> values = significance(axis, Measure::HausdorffDistance);
+  ASSERT_EQ(values.size(), 2u);
+  EXPECT_NEAR(values[1], 3, 1e-12);
+  EXPECT_NEAR(values[0], std::hypot(4, 2), 1e-12); // the sheet's corners from the fin's foot
+}
+
+TEST(Measures, HausdorffDistanceOfAllThereIsIsTheDiagonal)
+{
+  complexes::Drawing drawing;
+  drawing.sheet(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), 4, 3);
+  EXPECT_EQ(
+    significance(drawing.axis(), Measure::HausdorffDistance).front(), Point(6, 5, 2).norm());
+}
+
+TEST(Measures, OfABallThatAnotherOneCoversIsNothing)
+{
+  const medial::BallTree tree(
+    { { Point(0, 0, 0), 5 }, { Point(1, 0, 0), 1 }, { Point(9, 0, 0), 1 } }, { 0, 1, 2 });
+  EXPECT_EQ(tree.protrusion({ Point(1, 0, 0), 1 }, 1), 0);
+  EXPECT_EQ(tree.protrusion({ Point(9, 0, 0), 1 }, 2), 5);
+  EXPECT_EQ(tree.protrusion({ Point(0, 0, 0), 5 }, 0), 5);
+  EXPECT_EQ(medial::BallTree({ { Point(0, 0, 0), 5 } }, { 7 }).protrusion({ Point(0, 0, 0), 5 }, 7),
+    INFINITY);
+}
+
+TEST(Measures, ScaleWithTheAxisToTheLastBit)
+{
+  const std::map<std::string, double> exponents{ { "1", 0 }, { "degrees", 0 }, { "length", 1 },
+    { "area", 2 } };
+  Pipeline& p = pipelines::of("two-hole plate");
+  const MedialAxis scaled = pipelines::inUnits(p.axis(), 1024);
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    const double factor = std::pow(1024, exponents.at(traits.unit));
+    EXPECT_EQ(significance(scaled, traits.measure),
+      pipelines::times(significance(p.axis(), traits.measure), factor))
+      << traits.name;
+  }
+}
+
+TEST(Measures, DoNotChangeWithAMotion)
+{
+  Pipeline& p = pipelines::of("box");
+  MedialAxis axis = p.axis();
+  axis.points = shapes::moved(shapes::rotated(axis.points, 5), Point(3, -2, 1));
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    const std::vector<double> before = significance(p.axis(), traits.measure);
+    const std::vector<double> after = significance(axis, traits.measure);
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      EXPECT_NEAR(after[i], before[i], 1e-9) << traits.name;
+    }
+  }
+  const medial::Erosion burnt = medial::erosion(axis);
+  for (std::size_t i = 0; i < burnt.ofPoint.size(); ++i)
+  {
+    EXPECT_NEAR(burnt.ofPoint[i], axis.erosion[i], 1e-6);
+  }
+}
+
+TEST(Measures, AreTheSameOnManyThreads)
+{
+  Pipeline& p = pipelines::of("box");
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    EXPECT_EQ(medial::PartMeasures(p.axis()).significance(
+                traits.measure, partitionOf(p.axis()), pipelines::threaded()),
+      significance(p.axis(), traits.measure));
   }
 }
 

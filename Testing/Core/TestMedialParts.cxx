@@ -544,3 +544,38 @@ TEST(MedialParts, AreTheSameOnManyThreads)
   EXPECT_EQ(pipelines::bytesOf(medial::decompose(p.axis(), 0, pipelines::threaded())),
     pipelines::bytesOf(p.parts()));
 }
+
+TEST(MedialParts, HaveTheLengthsOfTheirBoxes)
+{
+  Drawing drawing;
+  drawing.sheet(Point(5, 6, 7), Point(0, 1, 0), Point(0, 0, 1), 8, 3);
+  const medial::Index a = drawing.point(0, 0, 0), b = drawing.point(1, 1, 0);
+  drawing.edge(a, b);
+  drawing.edge(b, drawing.point(3, 3, 0));
+  drawing.vertex(drawing.point(-1, 0, 0));
+  const MedialParts parts = medial::decompose(drawing.axis());
+  ASSERT_EQ(parts.parts.size(), 3u);
+  const auto expectLengths = [&](Index part, const Point& lengths) {
+    const Point error = parts.parts[part].principalLengths - lengths;
+    EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-6) << "part " << part;
+  };
+  expectLengths(0, Point(8, 3, 0));
+  expectLengths(1, Point(std::sqrt(18), 0, 0));
+  expectLengths(2, Point(0, 0, 0));
+}
+
+TEST(MedialParts, KnowTheirNeighborsAndTheLoop)
+{
+  const MedialParts loop = medial::decompose(complexes::cycleWithLoop().axis());
+  for (Index part = 0; part < 6; ++part)
+  {
+    EXPECT_EQ(loop.parts[part].onLoop, part < 3) << "part " << part;
+    EXPECT_EQ(loop.parts[part].neighbors, part < 3 ? 4 : 2) << "part " << part;
+  }
+  for (const MedialPart& part : medial::decompose(complexes::cycleWithoutLoop().axis()).parts)
+  {
+    EXPECT_FALSE(part.onLoop);
+    EXPECT_EQ(part.neighbors, 2);
+  }
+  EXPECT_EQ(medial::decompose(closedSheet().axis()).parts[0].neighbors, 0);
+}

@@ -38,8 +38,11 @@ TEST(MedialPartDecomposition, AddsTheArraysOfItsHeader)
   EXPECT_EQ(arrays(parts->GetPointData()), arrays(axis->GetPointData()));
   EXPECT_EQ(arrays(parts->GetCellData()),
     (std::vector<std::string>{ "ErosionThickness double 1", "Lambda double 1",
-      "ObjectAngle double 1", "PartId idtype 1", "PartLevel int 1", "PolygonId idtype 1",
-      "RelativeVolume double 1", "SiteSamples idtype 2", "TriangleCount idtype 1" }));
+      "ObjectAngle double 1", "PartArea double 1", "PartErosionThickness double 1",
+      "PartHausdorffDistance double 1", "PartId idtype 1", "PartLambda double 1", "PartLevel int 1",
+      "PartMaximumRadius double 1", "PartMeanRadius double 1", "PartObjectAngle double 1",
+      "PartPoleVolume double 1", "PolygonId idtype 1", "RelativeVolume double 1",
+      "SiteSamples idtype 2", "TriangleCount idtype 1" }));
   std::vector<std::string> expected = arrays(axis->GetFieldData());
   expected.emplace_back("NumberOfParts idtype 1");
   std::sort(expected.begin(), expected.end());
@@ -49,9 +52,12 @@ TEST(MedialPartDecomposition, AddsTheArraysOfItsHeader)
 TEST(MedialPartDecomposition, HasTheColumnsOfItsHeader)
 {
   EXPECT_EQ(arrays(partTable()->GetRowData()),
-    (std::vector<std::string>{ "Area double 1", "Bounds double 6", "Contacts idtype 1",
-      "Dimension int 1", "Level int 1", "MaximumRadius double 1", "MeanRadius double 1",
-      "MinimumRadius double 1", "PartId idtype 1", "RelativeVolume double 1", "Triangles idtype 1",
+    (std::vector<std::string>{ "Area double 1", "Bounds double 6", "Centroid double 3",
+      "Contacts idtype 1", "Dimension int 1", "ErosionThickness double 1",
+      "HausdorffDistance double 1", "Lambda double 1", "Level int 1", "MaximumRadius double 1",
+      "MeanRadius double 1", "MinimumRadius double 1", "Neighbors idtype 1", "ObjectAngle double 1",
+      "OnLoop unsigned char 1", "PartId idtype 1", "PoleVolume double 1",
+      "PrincipalLengths double 3", "RelativeVolume double 1", "Triangles idtype 1",
       "Volume double 1" }));
 }
 
@@ -82,6 +88,11 @@ TEST(MedialPartDecomposition, SaysTheSameInCellsAndTable)
     EXPECT_EQ(cell("PartLevel", i), column("Level", part));
     EXPECT_EQ(cell("TriangleCount", i), column("Triangles", part));
     EXPECT_EQ(cell("RelativeVolume", i), column("RelativeVolume", part));
+    for (const std::string measure : { "PoleVolume", "Area", "MeanRadius", "MaximumRadius",
+           "ObjectAngle", "Lambda", "ErosionThickness", "HausdorffDistance" })
+    {
+      EXPECT_EQ(cell(("Part" + measure).c_str(), i), column(measure.c_str(), part)) << measure;
+    }
   }
   EXPECT_EQ(static_cast<vtkIdType>(triangles.size()), partTable()->GetNumberOfRows());
   for (const auto& [part, count] : triangles)

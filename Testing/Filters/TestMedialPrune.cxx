@@ -58,7 +58,10 @@ TEST(MedialPrune, HasTheArraysOfItsHeader)
   EXPECT_EQ(arrays(pruned->GetFieldData()), arrays(parts->GetFieldData()));
   EXPECT_EQ(arrays(pruned->GetCellData()),
     (std::vector<std::string>{ "ErosionThickness double 1", "KeepReason unsigned char 1",
-      "Lambda double 1", "ObjectAngle double 1", "PartId idtype 1", "PartLevel int 1",
+      "Lambda double 1", "ObjectAngle double 1", "PartArea double 1",
+      "PartErosionThickness double 1", "PartHausdorffDistance double 1", "PartId idtype 1",
+      "PartLambda double 1", "PartLevel int 1", "PartMaximumRadius double 1",
+      "PartMeanRadius double 1", "PartObjectAngle double 1", "PartPoleVolume double 1",
       "PolygonId idtype 1", "RelativeVolume double 1", "SiteSamples idtype 2",
       "TriangleCount idtype 1" }));
 }
@@ -78,8 +81,11 @@ TEST(MedialPrune, HasTheArraysOfItsHeaderOnWhatItRemoved)
   vtkPolyData* cells = removed(boxPipeline().prune);
   EXPECT_EQ(arrays(cells->GetCellData()),
     (std::vector<std::string>{ "ErosionThickness double 1", "Iteration idtype 1", "Lambda double 1",
-      "ObjectAngle double 1", "PartId idtype 1", "PartLevel int 1", "PolygonId idtype 1",
-      "RelativeVolume double 1", "SiteSamples idtype 2", "TriangleCount idtype 1" }));
+      "ObjectAngle double 1", "PartArea double 1", "PartErosionThickness double 1",
+      "PartHausdorffDistance double 1", "PartId idtype 1", "PartLambda double 1", "PartLevel int 1",
+      "PartMaximumRadius double 1", "PartMeanRadius double 1", "PartObjectAngle double 1",
+      "PartPoleVolume double 1", "PolygonId idtype 1", "RelativeVolume double 1",
+      "SiteSamples idtype 2", "TriangleCount idtype 1" }));
   EXPECT_GT(cells->GetNumberOfCells(), 0);
 }
 
