@@ -2,7 +2,7 @@
 #include "BallTree.h"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 namespace medial
 {
@@ -17,30 +17,30 @@ double boundingDiagonal(const std::vector<Ball>& balls)
   return balls.empty() ? 0 : (upper - lower).norm();
 }
 
-BallTree::BallTree(std::vector<Ball> theBalls, std::vector<Index> theGroups)
-  : balls(std::move(theBalls))
-  , groups(std::move(theGroups))
-  , order(balls.size())
+BallTree::BallTree(const std::vector<Ball>& balls, const std::vector<Index>& groups)
 {
-  std::iota(this->order.begin(), this->order.end(), 0);
-  if (!this->balls.empty())
+  for (Index i = 0; i < count(balls); ++i)
   {
-    this->build(0, count(this->balls));
+    this->members.push_back({ balls[i], groups[i], i });
+  }
+  if (!balls.empty())
+  {
+    this->build(0, count(balls));
   }
 }
 
 void BallTree::build(Index begin, Index end)
 {
   constexpr Index leaf = 8;
-  Node node{ this->balls[this->order[begin]].center, this->balls[this->order[begin]].center, 0,
-    this->groups[this->order[begin]], begin, end, None };
+  const Member& any = this->members[begin];
+  Node node{ any.ball.center, any.ball.center, 0, any.group, begin, end, None };
   for (Index i = begin; i < end; ++i)
   {
-    const Ball& ball = this->balls[this->order[i]];
-    node.lower = node.lower.cwiseMin(ball.center);
-    node.upper = node.upper.cwiseMax(ball.center);
-    node.radius = std::max(node.radius, ball.radius);
-    node.group = node.group == this->groups[this->order[i]] ? node.group : None;
+    const Member& member = this->members[i];
+    node.lower = node.lower.cwiseMin(member.ball.center);
+    node.upper = node.upper.cwiseMax(member.ball.center);
+    node.radius = std::max(node.radius, member.ball.radius);
+    node.group = node.group == member.group ? node.group : None;
   }
   const Index number = count(this->nodes);
   this->nodes.push_back(node);
@@ -51,11 +51,11 @@ void BallTree::build(Index begin, Index end)
   int axis = 0;
   (node.upper - node.lower).maxCoeff(&axis);
   const Index middle = begin + (end - begin) / 2;
-  std::nth_element(this->order.begin() + begin, this->order.begin() + middle,
-    this->order.begin() + end, [&](Index a, Index b) {
-      const double x = this->balls[a].center[axis], y = this->balls[b].center[axis];
-      return x != y ? x < y : a < b;
-    });
+  const auto at = this->members.begin();
+  std::nth_element(at + begin, at + middle, at + end, [axis](const Member& a, const Member& b) {
+    const double x = a.ball.center[axis], y = b.ball.center[axis];
+    return x != y ? x < y : a.number < b.number;
+  });
   this->build(begin, middle);
   this->nodes[number].second = count(this->nodes);
   this->build(middle, end);
@@ -70,35 +70,51 @@ double BallTree::leastProtrusion(const Node& node, const Ball& ball)
 
 double BallTree::protrusion(const Ball& ball, Index group, double enough) const
 {
+  struct Step
+  {
+    Index node;
+    double bound;
+  };
   double least = std::numeric_limits<double>::infinity();
-  std::vector<Index> todo;
+  std::vector<Step> todo;
+  const auto add = [&](Index number) {
+    const Node& node = this->nodes[number];
+    if (node.group != group)
+    {
+      todo.push_back({ number, leastProtrusion(node, ball) });
+    }
+  };
   if (!this->nodes.empty())
   {
-    todo.push_back(0);
+    add(0);
   }
   while (!todo.empty() && least > enough)
   {
-    const Node& node = this->nodes[todo.back()];
-    const Index first = todo.back() + 1;
+    const Step step = todo.back();
     todo.pop_back();
-    if (node.group == group || leastProtrusion(node, ball) >= least)
+    if (step.bound >= least)
     {
       continue;
     }
+    const Node& node = this->nodes[step.node];
     if (node.second != None)
     {
-      const bool secondIsNearer =
-        leastProtrusion(this->nodes[node.second], ball) < leastProtrusion(this->nodes[first], ball);
-      todo.push_back(secondIsNearer ? first : node.second);
-      todo.push_back(secondIsNearer ? node.second : first);
+      const std::size_t before = todo.size();
+      add(step.node + 1);
+      add(node.second);
+      if (todo.size() == before + 2 && todo[before].bound < todo[before + 1].bound)
+      {
+        std::swap(todo[before], todo[before + 1]); // the nearer one next
+      }
       continue;
     }
     for (Index i = node.begin; i < node.end; ++i)
     {
-      const Ball& other = this->balls[this->order[i]];
-      if (this->groups[this->order[i]] != group)
+      const Member& other = this->members[i];
+      if (other.group != group)
       {
-        least = std::min(least, (other.center - ball.center).norm() + ball.radius - other.radius);
+        least = std::min(
+          least, (other.ball.center - ball.center).norm() + ball.radius - other.ball.radius);
       }
     }
   }

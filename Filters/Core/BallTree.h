@@ -17,7 +17,7 @@ class BallTree
 {
 public:
   /// @param groups  for each ball
-  BallTree(std::vector<Ball> balls, std::vector<Index> groups);
+  BallTree(const std::vector<Ball>& balls, const std::vector<Index>& groups);
 
   /// How far, at most, a ball sticks out of the one that covers it best: the least, over all balls of
   /// other groups than its own, of distance + its radius - the other's; not below 0. Infinite where
@@ -26,6 +26,12 @@ public:
   double protrusion(const Ball& ball, Index group, double enough = 0) const;
 
 private:
+  struct Member
+  {
+    Ball ball;
+    Index group, number;
+  };
+
   struct Node
   {
     Point lower, upper; ///< of the centres
@@ -38,9 +44,7 @@ private:
   void build(Index begin, Index end);
   static double leastProtrusion(const Node& node, const Ball& ball);
 
-  std::vector<Ball> balls;
-  std::vector<Index> groups;
-  std::vector<Index> order;
+  std::vector<Member> members; ///< those of a node follow each other
   std::vector<Node> nodes;
 };
 }

@@ -371,6 +371,27 @@ TEST(Measures, DoNotChangeWithAMotion)
   }
 }
 
+TEST(Measures, DoNotChangeWithTheOrderOfTheSamples)
+{
+  // Diagonals of the faces do, and with them what is counted by triangles or points.
+  const shapes::Shape& shape = pipelines::of("box").shape;
+  const MedialAxis other = medial::medialAxis(medial::polarBalls(
+    shapes::reordered(shape.samples, shapes::shuffledOrder(shape.samples.size(), 3))));
+  for (const Measure measure :
+    { Measure::PoleVolume, Measure::MaximumRadius, Measure::Lambda, Measure::HausdorffDistance })
+  {
+    std::vector<double> before = significance(pipelines::of("box").axis(), measure);
+    std::vector<double> after = significance(other, measure);
+    std::sort(before.begin(), before.end());
+    std::sort(after.begin(), after.end());
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      EXPECT_NEAR(after[i], before[i], 1e-9) << "measure " << static_cast<int>(measure);
+    }
+  }
+}
+
 TEST(Measures, AreTheSameOnManyThreads)
 {
   Pipeline& p = pipelines::of("box");
