@@ -198,6 +198,20 @@ class SimplifyShape(unittest.TestCase):
         for betti in report["betti"].values():
             self.assertEqual(betti, [1, 1, 0])
 
+    def test_schedule_takes_every_measure(self):
+        words = "t1 v0% p0% a0 m1 m1% r1 r1% o10 l1 l1% e0.1 e1% h0.1 h1%"
+        report, _ = self.simplify(torus(), "--schedule", words)
+        self.assertEqual([row["measure"] for row in report["iterations"]],
+                         ["triangleCount", "relativeVolume", "poleVolume", "area",
+                          "meanRadius", "meanRadius", "maximumRadius", "maximumRadius",
+                          "objectAngle", "lambda", "lambda", "erosionThickness",
+                          "erosionThickness", "hausdorffDistance", "hausdorffDistance"])
+        thresholds = [row["threshold"] for row in report["iterations"]]
+        diagonal = thresholds[5] / 0.01
+        for k, percent in ((7, 1), (10, 1), (12, 1), (14, 1)):
+            self.assertAlmostEqual(thresholds[k], diagonal * percent / 100)
+        self.assertEqual(thresholds[8], 10)
+
     def test_part_by_hand(self):
         report, _ = self.simplify(ellipsoid(), "--schedule", "", "--remove-parts", "0",
                                   "--topology", "none")

@@ -28,7 +28,7 @@
  *    shares a contact with) (vtkIdType).
  *  - `Dimension` (2 triangles, 1 lines, 0 a vertex), `Level` (int).
  *  - `OnLoop` (unsigned char): 1 where the part joins contacts that hang together without it, as in
- *    output 3.
+ *    output 3. A loop within a single part, such as that of a torus, doesn't show here.
  *  - `Area`, `Volume`, `RelativeVolume` (they sum to 1), `MeanRadius`, `MinimumRadius`, `MaximumRadius`
  *    (over its points), `PoleVolume`, `ObjectAngle`, `Lambda`, `ErosionThickness`, `HausdorffDistance`
  *    (double): the measures as above.

@@ -27,12 +27,13 @@ struct MedialPart
   double poleVolume, objectAngle, lambda, erosionThickness, hausdorffDistance;
   Index contacts;  ///< number of contact curves it has a share in
   Index neighbors; ///< number of parts that it shares a contact with
-  bool onLoop;     ///< TopologyGraph::partOnLoop: it joins contacts that hang together without it
+  bool onLoop;     ///< TopologyGraph::partOnLoop: it joins contacts that hang together without it;
+                   ///< a loop within one part doesn't count
   Point lower, upper; ///< corners of its bounding box
   Point centroid;     ///< of its triangles by area, of its edges by length
-  Point
-    principalLengths; ///< of the box whose moments of inertia are those of its triangles or edges,
-                      ///< descending: a rectangle has its sides and 0
+  /// The sides, descending, of the box with the moments of inertia of its triangles or edges: a
+  /// rectangle has its own and 0.
+  Point principalLengths;
 };
 
 /// An unbroken polyline shared by touching parts (paper 4.3); or a point where a part touches others
