@@ -10,6 +10,7 @@ namespace names
 {
 // vtkPolarBalls: points, one for each ball
 constexpr const char* Radius = "Radius";
+constexpr const char* InnerRadius = "InnerRadius";
 constexpr const char* Side = "Side";
 constexpr const char* TouchesGuard = "TouchesGuard";
 constexpr const char* Volume = "Volume";

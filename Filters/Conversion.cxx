@@ -171,6 +171,16 @@ AxisCells readAxisCells(vtkPolyData* input, Index pointCount)
   return result;
 }
 
+void addInnerRadii(vtkFieldData* data, const PolarBalls& balls)
+{
+  std::vector<double> radii;
+  for (const Ball& ball : balls.balls)
+  {
+    radii.push_back(balls.sides[radii.size()] == Side::Inner ? ball.radius : 0);
+  }
+  add<vtkDoubleArray>(data, names::InnerRadius, radii);
+}
+
 void addSamples(vtkFieldData* field, const PolarBalls& balls)
 {
   field->AddArray(tuples<vtkDoubleArray>(names::Samples, 3, balls.samples));
@@ -222,6 +232,7 @@ void addParts(vtkPolyData* axis, const MedialParts& parts)
   vtkCellData* cells = axis->GetCellData();
   const std::vector<Index>& partOfCell = parts.partOfCell;
   add<vtkIdTypeArray>(cells, names::PartId, partOfCell);
+  cells->SetActiveScalars(names::PartId);
   add<vtkIntArray>(cells, names::PartLevel, partOfCell, ofPart(&MedialPart::level));
   add<vtkIdTypeArray>(cells, names::TriangleCount, partOfCell, ofPart(&MedialPart::triangles));
   const auto addMeasure = [&](const char* name, double MedialPart::*member) {
@@ -367,7 +378,9 @@ void write(
   output->SetCells(VTK_TETRA, cellArray(balls.cells));
   vtkPointData* ballData = output->GetPointData();
   add<vtkDoubleArray>(ballData, names::Radius, balls.balls, &Ball::radius);
+  addInnerRadii(ballData, balls);
   add<vtkUnsignedCharArray>(ballData, names::Side, balls.sides);
+  ballData->SetActiveScalars(names::InnerRadius);
   add<vtkUnsignedCharArray>(ballData, names::TouchesGuard, balls.touchesGuard);
   add<vtkDoubleArray>(ballData, names::Volume, balls.volumes);
   add<vtkDoubleArray>(ballData, names::PoleVolume, balls.poleVolumes);

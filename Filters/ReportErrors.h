@@ -69,14 +69,15 @@ inline bool stopRequested(vtkAlgorithm* filter)
 #endif
 }
 
-/// Has a filter before this one been stopped, so that there is no input to work on?
+/// Has a filter somewhere before this one been stopped, so that there is no input to work on?
 inline bool inputStopped(vtkAlgorithm* filter)
 {
   for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
     {
-      if (filter->GetInputAlgorithm(port, i)->GetAbortExecute())
+      vtkAlgorithm* before = filter->GetInputAlgorithm(port, i);
+      if (before->GetAbortExecute() || inputStopped(before))
       {
         return true;
       }
@@ -136,14 +137,11 @@ int reportErrors(
   vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector* outputs, const Body& body)
 {
   setErrorCode(filter, vtkErrorCode::NoError);
+  filter->SetAbortExecute(0); // of an earlier execution; since VTK 9.2 nobody else does it
   emptyOutputs(outputs);
   try
   {
-    if (inputStopped(filter))
-    {
-      filter->SetAbortExecute(1); // for the filters after this one
-    }
-    else if (isFirstPiece(request, outputs))
+    if (isFirstPiece(request, outputs) && !inputStopped(filter))
     {
       body(execution(filter));
     }

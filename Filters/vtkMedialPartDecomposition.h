@@ -12,7 +12,7 @@
  * Output 0: vtkPolyData, the input with more arrays.
  *
  * Cell data
- *  - `PartId` (vtkIdType, >= 0): the cell's part.
+ *  - `PartId` (vtkIdType, >= 0, active scalars): the cell's part.
  *  - `PartLevel` (int): of its part. 1 at the border of the axis, one more for each step inwards; 0
  *    for closed sheets that no border reaches, and above MaximumLevel.
  *  - `TriangleCount` (vtkIdType): of its part.

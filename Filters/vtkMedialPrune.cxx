@@ -76,6 +76,19 @@ void vtkMedialPrune::AddIteration(int measure, double threshold, int passes)
   this->Modified();
 }
 
+void vtkMedialPrune::AddIterationByName(const char* measure, double threshold, int passes)
+{
+  const std::string name = measure ? measure : "";
+  const medial::MeasureTraits* traits = medial::findMeasure(name);
+  if (!traits)
+  {
+    vtkErrorMacro("AddIterationByName: there is no measure '" << name << "'; use one of "
+                                                              << medial::measureNames());
+    return;
+  }
+  this->AddIteration(static_cast<int>(traits->measure), threshold, passes);
+}
+
 const char* vtkMedialPrune::GetMeasureName(int measure)
 {
   const medial::MeasureTraits* traits = medial::findMeasure(measure);

@@ -99,6 +99,11 @@ public:
    */
   static const char* GetMeasureName(int measure);
 
+  /**
+   * AddIteration for a measure by its name.
+   */
+  void AddIterationByName(const char* measure, double threshold, int passes = 0);
+
   ///@{
   /**
    * One iteration of the schedule, 0 ... GetNumberOfIterations() - 1; 0 where there is none.

@@ -15,6 +15,7 @@
  *
  * Point data
  *  - `Radius` (double, > 0): of the ball.
+ *  - `InnerRadius` (double, active scalars): the same where the ball is inner, else 0; to draw the inner balls.
  *  - `Side` (unsigned char): 0 outer, 1 inner, 2 hidden (it has no cell in the power diagram).
  *  - `TouchesGuard` (unsigned char, 0 or 1): it passes through a corner of the cube around the samples.
  *  - `Volume` (double): of the Delaunay cells it stands for; 0 where it is not inner.

@@ -83,6 +83,24 @@ const MeasureTraits* findMeasure(int number)
   return number >= 0 && number < count(all) ? &all[number] : nullptr;
 }
 
+const MeasureTraits* findMeasure(const std::string& name)
+{
+  const std::vector<MeasureTraits>& all = allMeasures();
+  const auto found = std::find_if(
+    all.begin(), all.end(), [&name](const MeasureTraits& traits) { return traits.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string measureNames()
+{
+  std::string names;
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    names += (names.empty() ? "" : ", ") + std::string(traits.name);
+  }
+  return names;
+}
+
 double together(Measure measure, double a, double b)
 {
   return findMeasure(static_cast<int>(measure))->addsUp ? a + b : std::max(a, b);

@@ -7,6 +7,7 @@
 #include "Partition.h"
 #include "Types.h"
 
+#include <string>
 #include <vector>
 
 namespace medial
@@ -44,6 +45,10 @@ const std::vector<MeasureTraits>& allMeasures();
 
 /// @return  nullptr where there is no such measure
 const MeasureTraits* findMeasure(int number);
+const MeasureTraits* findMeasure(const std::string& name);
+
+/// All names, with commas between.
+std::string measureNames();
 
 /// The value of two parts together.
 double together(Measure measure, double a, double b);

@@ -599,4 +599,22 @@ TEST(MedialPrune, DescribesItsProperties)
     EXPECT_NE(text.str().find(word), std::string::npos) << word;
   }
 }
+
+TEST(MedialPrune, TakesMeasuresByName)
+{
+  vtkNew<vtkMedialPrune> prune;
+  prune->ClearIterations();
+  prune->AddIterationByName("Area", 2, 1);
+  ASSERT_EQ(prune->GetNumberOfIterations(), 1);
+  EXPECT_EQ(prune->GetIterationMeasure(0), vtkMedialPrune::AREA);
+  EXPECT_EQ(prune->GetIterationThreshold(0), 2);
+  EXPECT_EQ(prune->GetIterationPasses(0), 1);
+  const filterTest::ErrorLog log(prune);
+  prune->AddIterationByName("Beauty", 2);
+  prune->AddIterationByName(nullptr, 2);
+  EXPECT_EQ(prune->GetNumberOfIterations(), 1);
+  ASSERT_EQ(log.messages().size(), 2u);
+  EXPECT_NE(log.messages()[0].find("'Beauty'"), std::string::npos);
+  EXPECT_NE(log.messages()[0].find("TriangleCount, RelativeVolume"), std::string::npos);
+}
 }

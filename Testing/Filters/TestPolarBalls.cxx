@@ -39,8 +39,8 @@ TEST(PolarBalls, HaveTheArraysOfTheirHeader)
 {
   vtkUnstructuredGrid* balls = boxPipeline().balls->GetOutput();
   EXPECT_EQ(arrays(balls->GetPointData()),
-    (std::vector<std::string>{ "PoleVolume double 1", "Radius double 1", "Side unsigned char 1",
-      "TouchesGuard unsigned char 1", "Volume double 1" }));
+    (std::vector<std::string>{ "InnerRadius double 1", "PoleVolume double 1", "Radius double 1",
+      "Side unsigned char 1", "TouchesGuard unsigned char 1", "Volume double 1" }));
   EXPECT_EQ(arrays(balls->GetFieldData()),
     (std::vector<std::string>{ "BallSampleOffsets idtype 1", "BallSamples idtype 1",
       "BettiPowerShape idtype 3", "DuplicateOf idtype 1", "NumberOfDuplicates idtype 1",

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSimplifyShape
+ * @brief   from points of a solid's boundary to a simplified closed surface
+ *
+ * The medial axis pipeline in one filter: vtkPolarBalls, vtkMedialAxis, vtkMedialPrune,
+ * vtkMedialPartDecomposition and vtkPowerCrust, one after another. The methods below set what is
+ * asked for most; everything else is set on the stages, which belong to the filter.
+ *
+ * Input: any vtkPointSet. Its points are the samples, see vtkPolarBalls.
+ *
+ * Output 0: vtkPolyData, the simplified surface, see vtkPowerCrust.
+ * Output 1: vtkPolyData, the pruned axis with its parts, see vtkMedialPrune.
+ * Output 2: vtkTable, a row for each of its parts, see vtkMedialPartDecomposition.
+ * Output 3: vtkTable, a row for each iteration of the schedule, see vtkMedialPrune.
+ *
+ * Where only the schedule or another property has changed, the balls and the axis are not made again.
+ *
+ * An error of a stage leaves the outputs empty and sets the error code; the message is that of the
+ * stage. Progress counts all stages. Under MPI the piece 0 holds everything.
+ *
+ * See R. Tam, W. Heidrich, "Shape simplification based on the medial axis transform", IEEE
+ * Visualization 2003.
+ *
+ * @sa vtkPolarBalls vtkMedialAxis vtkMedialPrune vtkMedialPartDecomposition vtkPowerCrust
+ */
+
+#ifndef vtkSimplifyShape_h
+#define vtkSimplifyShape_h
+
+#include "vtkFiltersMedialModule.h" // for export macro
+#include "vtkNew.h"                 // for the stages
+#include "vtkPolyDataAlgorithm.h"
+
+class vtkMedialAxis;
+class vtkMedialPartDecomposition;
+class vtkMedialPrune;
+class vtkPolarBalls;
+class vtkPointSet;
+class vtkPowerCrust;
+
+class VTKFILTERSMEDIAL_EXPORT vtkSimplifyShape : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSimplifyShape* New();
+  vtkTypeMacro(vtkSimplifyShape, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The schedule of vtkMedialPrune, with the same default.
+   */
+  void ClearIterations();
+  void AddIteration(int measure, double threshold, int passes = 0);
+  void AddIterationByName(const char* measure, double threshold, int passes = 0);
+  ///@}
+
+  ///@{
+  /**
+   * The stages, for their other properties.
+   */
+  vtkMedialAxis* GetMedialAxis();
+  vtkMedialPrune* GetMedialPrune();
+  vtkPowerCrust* GetPowerCrust();
+  ///@}
+
+  /**
+   * Also that of the stages.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkSimplifyShape();
+  ~vtkSimplifyShape() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkSimplifyShape(const vtkSimplifyShape&) = delete;
+  void operator=(const vtkSimplifyShape&) = delete;
+
+  void SetSamples(vtkPointSet* input);
+
+  vtkMTimeType SamplesTime = 0;
+  vtkNew<vtkPolarBalls> Balls;
+  vtkNew<vtkMedialAxis> Axis;
+  vtkNew<vtkMedialPrune> Prune;
+  vtkNew<vtkMedialPartDecomposition> Parts;
+  vtkNew<vtkPowerCrust> Crust;
+};
+
+#endif

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTest.h"
+
+#include "vtkSimplifyShape.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
+
+namespace
+{
+using filterTest::boxPipeline;
+using filterTest::cloud;
+using filterTest::isEmpty;
+using filterTest::onlyError;
+using filterTest::same;
+using filterTest::smallBox;
+
+/// Notes the progress of a filter, and stops it where it is told to.
+struct Watch
+{
+  explicit Watch(vtkAlgorithm* filter, double stopAt = 2)
+    : StopAt(stopAt)
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(this);
+    command->SetCallback([](vtkObject* sender, unsigned long, void* self, void*) {
+      auto* algorithm = static_cast<vtkAlgorithm*>(sender);
+      auto* watch = static_cast<Watch*>(self);
+      watch->Reports.push_back(algorithm->GetProgress());
+      algorithm->SetAbortExecute(algorithm->GetProgress() >= watch->StopAt);
+    });
+    filter->AddObserver(vtkCommand::ProgressEvent, command);
+  }
+
+  double StopAt;
+  std::vector<double> Reports;
+};
+
+TEST(SimplifyShape, GivesWhatTheFiveFiltersGive)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetInputData(cloud(smallBox().samples));
+  simplify->Update();
+  filterTest::Pipeline& pipeline = boxPipeline();
+  vtkNew<vtkMedialPartDecomposition> parts;
+  parts->SetInputConnection(pipeline.prune->GetOutputPort());
+  parts->Update();
+  EXPECT_TRUE(same(simplify->GetOutputDataObject(0), pipeline.crust->GetOutput()));
+  EXPECT_TRUE(same(simplify->GetOutputDataObject(1), parts->GetOutput()));
+  EXPECT_TRUE(same(simplify->GetOutputDataObject(2), parts->GetOutputDataObject(1)));
+  EXPECT_TRUE(same(simplify->GetOutputDataObject(3), pipeline.prune->GetOutputDataObject(1)));
+}
+
+TEST(SimplifyShape, FollowsTheScheduleWithTheSameAxis)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetInputData(cloud(smallBox().samples));
+  simplify->Update();
+  const vtkMTimeType made = simplify->GetMedialAxis()->GetOutput()->GetMTime();
+  simplify->ClearIterations();
+  simplify->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, 1);
+  simplify->Update();
+  EXPECT_EQ(simplify->GetMedialAxis()->GetOutput()->GetMTime(), made);
+  EXPECT_EQ(simplify->GetOutputDataObject(3)->GetNumberOfElements(vtkDataObject::ROW), 1);
+  simplify->GetPowerCrust()->SetRuleToInnerOnly();
+  const vtkMTimeType before = simplify->GetOutputDataObject(0)->GetMTime();
+  simplify->Update();
+  EXPECT_GT(simplify->GetOutputDataObject(0)->GetMTime(), before);
+}
+
+TEST(SimplifyShape, PassesTheErrorOfAStageOn)
+{
+  vtkNew<vtkPolarBalls> balls;
+  vtkNew<vtkSimplifyShape> simplify;
+  const auto points = cloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
+  balls->SetInputData(points);
+  simplify->SetInputData(points);
+  const std::string expected = onlyError(balls), told = onlyError(simplify);
+  EXPECT_EQ(told.substr(told.find("): ")), expected.substr(expected.find("): ")));
+  EXPECT_NE(told.find("vtkSimplifyShape"), std::string::npos);
+  simplify->SetInputData(cloud(smallBox().samples));
+  simplify->AddIteration(vtkMedialPrune::RELATIVE_VOLUME, -1);
+  EXPECT_NE(onlyError(simplify).find("threshold"), std::string::npos);
+  simplify->ClearIterations();
+  simplify->Update();
+  EXPECT_FALSE(isEmpty(simplify->GetOutput()));
+}
+
+TEST(SimplifyShape, ReportsProgressOfAllStagesUpwards)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetInputData(cloud(smallBox().samples));
+  const Watch watch(simplify);
+  simplify->Update();
+  ASSERT_GT(watch.Reports.size(), 20u);
+  EXPECT_TRUE(std::is_sorted(watch.Reports.begin(), watch.Reports.end()));
+  EXPECT_EQ(watch.Reports.back(), 1);
+}
+
+TEST(SimplifyShape, StopsInEveryStageAndStartsAgain)
+{
+  for (const double stopAt : { 0.1, 0.5, 0.72, 0.82, 0.9 })
+  {
+    SCOPED_TRACE(stopAt);
+    vtkNew<vtkSimplifyShape> simplify;
+    simplify->SetInputData(cloud(smallBox().samples));
+    Watch watch(simplify, stopAt);
+    simplify->Update();
+    for (int port = 0; port < 4; ++port)
+    {
+      EXPECT_TRUE(isEmpty(simplify->GetOutputDataObject(port)));
+    }
+    EXPECT_EQ(simplify->GetErrorCode(), 0u);
+    watch.StopAt = 2;
+    simplify->SetAbortExecute(0);
+    simplify->Modified();
+    simplify->Update();
+    EXPECT_TRUE(same(simplify->GetOutput(), boxPipeline().crust->GetOutput()));
+  }
+}
+
+TEST(SimplifyShape, TakesBlocksOneByOne)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, cloud(smallBox().samples));
+  blocks->SetBlock(1, cloud(shapes::sphere(0.4).samples));
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetInputDataObject(blocks);
+  simplify->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(simplify->GetOutputDataObject(0));
+  ASSERT_TRUE(output);
+  EXPECT_TRUE(same(output->GetBlock(0), boxPipeline().crust->GetOutput()));
+  EXPECT_GT(output->GetBlock(1)->GetNumberOfElements(vtkDataObject::CELL), 0);
+}
+}
