@@ -4,7 +4,7 @@
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-mapfile -t sources < <(find Examples Filters Testing -name '*.cxx' -o -name '*.h' | sort)
+mapfile -t sources < <(find Examples Filters ParaView Testing -name '*.cxx' -o -name '*.h' | sort)
 broken=0
 
 # Runs a check that prints what breaks the rule.

@@ -8,6 +8,7 @@ build=${MEDIAL_BUILD:-$top/build}
 
 build_packages=(g++ cmake ninja-build libvtk9-dev libcgal-dev libeigen3-dev)
 picture_packages=(xvfb libgl1-mesa-dri)
+paraview_packages=(paraview paraview-dev libopenmpi-dev openmpi-bin libqt5svg5)
 test_packages=(libgtest-dev python3-numpy universal-ctags clang-format-14)
 
 say() { printf '\n== %s\n' "$*"; }
@@ -92,4 +93,23 @@ xvfb_answers()
     sleep 0.2
   done
   return 1
+}
+
+# Makes a folder in which CMake and pvpython find a whole ParaView. Debian's python3-paraview, which
+# both need, can't be installed beside python3-vtk9, so it is unpacked there.
+paraview_prefix()
+{
+  local prefix=$1 libraries=usr/lib/x86_64-linux-gnu file
+  [ -e "$prefix/complete" ] && return
+  say "Putting ParaView together in $prefix"
+  rm -rf "$prefix"
+  mkdir -p "$prefix/$libraries/cmake" "$prefix/usr/include"
+  (cd "$prefix" && apt-get download -q -o APT::Sandbox::User=root python3-paraview &&
+    dpkg -x python3-paraview_*.deb .)
+  cp -a "/$libraries/cmake/paraview-5.11" "$prefix/$libraries/cmake/"
+  ln -s /usr/include/paraview-5.11 "$prefix/usr/include/"
+  ln -s "/$libraries/paraview-5.11" "$prefix/$libraries/"
+  dpkg -L paraview paraview-dev | grep -E "^/$libraries/[^/]+\.(so[.0-9]*|a)$|^/usr/bin/" |
+    while read -r file; do ln -sf "$file" "$prefix$file"; done
+  touch "$prefix/complete"
 }

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin in pvbatch: from samples to a surface, with pictures, state files and errors."""
+
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from session import (Chain, column, field, filters, load_plugin, pv, samples, servermanager, write)
+
+from paraview import smstate
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkImagingCore import vtkImageDifference
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+BASELINES = os.environ["MEDIAL_BASELINES"]
+
+
+def volume(surface):
+    return field(servermanager.Fetch(surface), "Volume")
+
+
+def stage(proxy):
+    """The filter behind a proxy."""
+    return proxy.SMProxy.GetClientSideObject()
+
+
+def read_picture(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+
+
+class Batch(unittest.TestCase):
+    def setUp(self):
+        self.chain = Chain(samples())
+
+    def tearDown(self):
+        pv.ResetSession()
+
+    def test_gives_a_closed_surface(self):
+        self.chain.crust.UpdatePipeline()
+        surface = servermanager.Fetch(self.chain.crust)
+        self.assertEqual(field(surface, "Closed"), [1])
+        self.assertEqual(field(surface, "BettiCrust"), [1, 0, 0])
+        self.assertAlmostEqual(field(surface, "Volume")[0], 6, delta=0.5)
+
+    def test_takes_the_schedule_as_rows(self):
+        self.assertEqual(list(self.chain.prune.Schedule),
+                         ["TriangleCount", "5", "0", "TriangleCount", "5", "0", "RelativeVolume",
+                          "0.01", "0"])
+        self.chain.prune.Schedule = ["TriangleCount", "7", "1", "RelativeVolume", "0.25", "0"]
+        self.chain.prune.UpdatePipeline()
+        history = servermanager.Fetch(self.chain.prune, idx=1)
+        self.assertEqual(column(history, "Measure"), [0, 1])
+        self.assertEqual(column(history, "Threshold"), [7, 0.25])
+        self.assertEqual(column(history, "Passes")[0], 1)
+
+    def test_removes_what_is_selected(self):
+        parts = servermanager.Fetch(self.chain.prune)
+        ids = parts.GetCellData().GetArray("PartId")
+        levels = parts.GetCellData().GetArray("PartLevel")
+        cell = next(i for i in range(ids.GetNumberOfTuples()) if levels.GetTuple1(i) == 1)
+        selection = pv.IDSelectionSource(FieldType="CELL", IDs=[-1, cell])
+        again = filters.MedialPrune(Input=self.chain.prune, Selection=selection, Schedule=[])
+        history = servermanager.Fetch(again, idx=1)
+        self.assertEqual(column(history, "ByHand"), [1])
+        self.assertEqual(column(history, "Removed"), [1])
+        removed = servermanager.Fetch(again, idx=2)
+        self.assertEqual(set(column(removed.GetCellData(), "PartId")), {ids.GetTuple1(cell)})
+        again.SelectionRole = "Protect"
+        self.assertEqual(column(servermanager.Fetch(again, idx=1), "Removed"), [])
+        again.SelectionRole = "Remove"
+        again.Selection = None
+        again.PartsToRemove = [int(ids.GetTuple1(cell))]
+        self.assertEqual(column(servermanager.Fetch(again, idx=1), "Removed"), [1])
+
+    def test_refuses_a_query(self):
+        query = pv.SelectionQuerySource(QueryString="PartLevel == 1")
+        again = filters.MedialPrune(Input=self.chain.prune, Selection=query)
+        messages = []
+        stage(again).AddObserver("ErrorEvent", lambda *_: messages.append(1))
+        again.UpdatePipeline()
+        self.assertEqual(messages, [1])
+        self.assertEqual(again.GetDataInformation().GetNumberOfCells(), 0)
+
+    def test_simplifies_in_one_filter(self):
+        one = filters.SimplifyShape(Input=self.chain.balls.Input)
+        self.assertEqual(volume(one), volume(self.chain.crust))
+        parts = servermanager.Fetch(one, idx=1)
+        table = servermanager.Fetch(one, idx=2)
+        self.assertEqual(field(parts, "NumberOfParts"), [table.GetNumberOfRows()])
+        one.Schedule = []
+        self.assertGreater(volume(one), volume(self.chain.crust))
+
+    def test_shows_parts_in_colors_of_their_own(self):
+        view = pv.CreateView("RenderView")
+        view.ViewSize = [400, 300]
+        view.OrientationAxesVisibility = 0
+        display = pv.Show(self.chain.prune, view)
+        self.assertEqual(list(display.ColorArrayName), ["CELLS", "PartId"])
+        view.CameraPosition = [8, 6, 7]
+        view.CameraFocalPoint = [1.5, 1, 0.5]
+        view.CameraViewUp = [0, 0, 1]
+        view.CameraViewAngle = 24
+        self.compare(view, "parts.png")
+        pv.Hide(self.chain.prune, view)
+        self.assertEqual(pv.Show(self.chain.balls, view).Representation, "Balls")
+        self.compare(view, "balls.png")
+        pv.Hide(self.chain.balls, view)
+        pv.Show(self.chain.crust, view)
+        self.compare(view, "crust.png")
+        pv.Delete(view)
+
+    def compare(self, view, name):
+        path = os.path.join(os.getcwd(), name)
+        pv.SaveScreenshot(path, view)
+        difference = vtkImageDifference()
+        difference.SetInputData(read_picture(path))
+        difference.SetImageData(read_picture(os.path.join(BASELINES, name)))
+        difference.Update()
+        self.assertLess(difference.GetThresholdedError(), 10, "%s differs from its baseline" % path)
+
+    def test_comes_back_from_a_state_file(self):
+        expected = volume(self.chain.crust)
+        self.chain.prune.Schedule = ["TriangleCount", "5", "0", "RelativeVolume", "0.2", "0"]
+        changed = volume(self.chain.crust)
+        self.assertLess(changed, expected)
+        pv.RenameSource("crust", self.chain.crust)
+        path = os.path.join(os.getcwd(), "state.pvsm")
+        pv.SaveState(path)
+        pv.ResetSession()
+        pv.LoadState(path)
+        self.assertEqual(volume(pv.FindSource("crust")), changed)
+
+    def test_comes_back_from_a_script(self):
+        self.chain.prune.Schedule = ["TriangleCount", "5", "0", "RelativeVolume", "0.2", "0"]
+        expected = volume(self.chain.crust)
+        pv.RenameSource("crust", self.chain.crust)
+        script = smstate.get_state()
+        pv.ResetSession()
+        exec(script, {})
+        self.assertEqual(volume(pv.FindSource("crust")), expected)
+
+    def test_stops_and_starts_again(self):
+        stop = [1]
+        stage(self.chain.prune).AddObserver(
+            "ProgressEvent", lambda prune, _: prune.SetAbortExecute(stop[0]))
+        messages = []
+        stage(self.chain.crust).AddObserver("ErrorEvent", lambda *_: messages.append(1))
+        self.chain.crust.UpdatePipeline()
+        self.assertEqual(self.chain.crust.GetDataInformation().GetNumberOfCells(), 0)
+        self.assertEqual(messages, [])
+        stop[0] = 0
+        self.chain.prune.Schedule = ["TriangleCount", "5", "0"]
+        self.chain.crust.UpdatePipeline()
+        self.assertGreater(self.chain.crust.GetDataInformation().GetNumberOfCells(), 0)
+
+    def test_refuses_too_few_points(self):
+        points = vtkPoints()
+        points.InsertNextPoint(0, 0, 0)
+        few = vtkPolyData()
+        few.SetPoints(points)
+        balls = filters.PolarBalls(
+            Input=pv.XMLPolyDataReader(FileName=[write(few, "few.vtp")]))
+        messages = []
+        stage(balls).AddObserver("ErrorEvent", lambda *_: messages.append(1))
+        balls.UpdatePipeline()
+        self.assertEqual(messages, [1])
+        self.assertEqual(balls.GetDataInformation().GetNumberOfPoints(), 0)
+
+    def test_takes_an_image_by_way_of_its_contour(self):
+        image = pv.Wavelet(WholeExtent=[-12, 12, -12, 12, -12, 12])
+        ball = pv.Calculator(Input=image, Function="coordsX^2 + 2*coordsY^2 + 3*coordsZ^2")
+        contour = pv.Contour(Input=ball, ContourBy=["POINTS", "Result"], Isosurfaces=[80])
+        one = filters.SimplifyShape(Input=contour)
+        one.UpdatePipeline()
+        self.assertEqual(field(servermanager.Fetch(one), "BettiCrust"), [1, 0, 0])
+
+
+load_plugin()
+unittest.main(argv=sys.argv[:1], exit=True, verbosity=2)
