@@ -258,6 +258,33 @@ TEST(Erosion, OfAPointIsNothing)
   EXPECT_EQ(result.ofCell, std::vector<double>{ 0 });
 }
 
+TEST(Erosion, OfABoxIsThatOfItsMiddle)
+{
+  // 6 x 4 x 2. Fire from the box's edges, where the radius is 0, runs down two sheets at 45 degrees to
+  // the middle one, and there from its border to its centre.
+  Drawing drawing = complexes::boxAxis();
+  MedialAxis axis = drawing.axis();
+  for (Index p = 0; p < medial::count(axis.points); ++p)
+  {
+    axis.radii[p] = (Point(3, 2, 1) - axis.points[p].cwiseAbs()).minCoeff();
+  }
+  const Erosion result = medial::erosion(axis);
+  EXPECT_NEAR(result.ofPoint[drawing.point(0, -2, 1)], 0, 1e-12);
+  EXPECT_NEAR(result.ofPoint[drawing.point(0, -1, 0)], std::sqrt(2) - 1, 1e-12);
+  EXPECT_NEAR(result.ofPoint[drawing.point(0, 0, 0)], std::sqrt(2), 1e-12);
+}
+
+TEST(Erosion, OfASampledBoxIsThatOfItsMiddleButForTheLastSpacings)
+{
+  // 3 x 2 x 1. The sheets end up to two spacings before the edges: the fire starts there, with the
+  // radius instead of the way. The fronts meet between points, which are a spacing apart.
+  Pipeline& p = pipelines::of("box");
+  const double exact = std::sqrt(0.5);
+  const double largest = *std::max_element(p.axis().erosion.begin(), p.axis().erosion.end());
+  EXPECT_GT(largest, exact - ((std::sqrt(2) - 1) * 2 + 0.5) * p.shape.spacing);
+  EXPECT_LT(largest, exact + p.shape.spacing);
+}
+
 TEST(Erosion, IsThatOfTheAxisAndScalesWithItToTheLastBit)
 {
   forEachShape([](Pipeline& p) {
