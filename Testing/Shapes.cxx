@@ -463,6 +463,45 @@ Shape box(double spacing, unsigned seed)
   return shape;
 }
 
+Shape head(double spacing, unsigned seed)
+{
+  struct Ellipsoid
+  {
+    Point centre, half;
+    /// Right in sign, and near 0.
+    double outside(const Point& p) const
+    {
+      const double level = (p - this->centre).cwiseQuotient(this->half).norm();
+      return (level - 1) * this->half.minCoeff();
+    }
+  };
+  const Point half(0.5, 0.15, 0.4);
+  const std::array<Ellipsoid, 3> solids{ Ellipsoid{ Point::Zero(), Point::Ones() },
+    Ellipsoid{ Point(-1.1, 0, 0), half }, Ellipsoid{ Point(1.1, 0, 0), half } };
+  Shape shape{};
+  shape.name = "head";
+  shape.outside = [solids](const Point& p) {
+    return std::min({ solids[0].outside(p), solids[1].outside(p), solids[2].outside(p) });
+  };
+  const Draw draw = [solids, outside = shape.outside](Random& random) {
+    while (true)
+    {
+      const Ellipsoid& solid = solids[random() % solids.size()];
+      const Point point = solid.centre + direction(random).cwiseProduct(solid.half);
+      if (outside(point) > -1e-12)
+      {
+        return point;
+      }
+    }
+  };
+  shape.samples = poissonDisk(draw, spacing, seed);
+  shape.seed = seed;
+  shape.spacing = spacing;
+  shape.betti = { 1, 0, 0 };
+  shape.smooth = false;
+  return shape;
+}
+
 const std::vector<Shape>& all()
 {
   static const std::vector<Shape> shapes{ sphere(), ellipsoid(), torus(), capsule(), knot(),

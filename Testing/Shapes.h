@@ -44,7 +44,11 @@ Shape hollowSphere(double spacing = 0.11, unsigned seed = 1); ///< between radii
 Shape twoObjects(double spacing = 0.13, unsigned seed = 1);   ///< a sphere and a torus
 Shape box(double spacing = 0.1, unsigned seed = 1);           ///< 3 x 2 x 1, sharp
 
-/// All of the above with their default spacing.
+/// A sphere of radius 1 with two flat ears, ellipsoids at x = -1 and x = 1. Without the exact axis and
+/// volume, and not among all().
+Shape head(double spacing = 0.07, unsigned seed = 1);
+
+/// All of the first nine with their default spacing.
 const std::vector<Shape>& all();
 
 /// Points of a regular grid on the boundary of a cube: massively cospherical.

@@ -604,6 +604,59 @@ TEST(Pruning, ByHandTakesAPartHoweverSignificant)
     slivers.parts.parts[largest].triangles);
 }
 
+TEST(Pruning, ByHandTakesAnEarAndNothingElse)
+{
+  // Paper Figure 12: naming one triangle takes the ear; what is not its own does not move.
+  Pipeline p(shapes::head());
+  ASSERT_EQ(p.axis().betti, (Betti{ 1, 0, 0 }));
+  PruneOptions options = once(Measure::TriangleCount, 5);
+  options.schedule.push_back({ Measure::RelativeVolume, 0.01, 0 });
+  const Pruned clean = medial::prune(p.axis(), options);
+  Index ear = 0;
+  for (Index i = 0; i < medial::count(clean.parts.parts); ++i)
+  {
+    const auto& parts = clean.parts.parts;
+    ear = parts[i].centroid.x() > parts[ear].centroid.x() ? i : ear;
+  }
+  options.cellsToRemove = { clean.inputCell[firstTriangleOf(clean.axis, clean.parts, ear)] };
+  const Pruned pruned = medial::prune(p.axis(), options);
+  EXPECT_EQ(pruned.fates, std::vector<CellFate>{ CellFate::Removed });
+  expectBetti(pruned, { 1, 0, 0 });
+  const std::vector<char> before = medial::keptBalls(clean.axis);
+  const std::vector<char> after = medial::keptBalls(pruned.axis);
+  std::vector<medial::Ball> gone;
+  for (std::size_t b = 0; b < before.size(); ++b)
+  {
+    if (before[b] && !after[b])
+    {
+      gone.push_back(p.balls().balls[b]);
+    }
+  }
+  const medial::Crust full = medial::powerCrust(p.balls(), before);
+  const medial::Crust earless = medial::powerCrust(p.balls(), after);
+  const validators::NearestPoint nearest(earless.points);
+  int surroundings = 0;
+  double rightmost = 0, leftmost = 0, rightmostBefore = 0;
+  for (const Point& point : full.points)
+  {
+    rightmostBefore = std::max(rightmostBefore, point.x());
+    if (validators::clearance(point, gone) > p.shape.spacing)
+    {
+      ++surroundings;
+      EXPECT_LT(nearest.distance(point), p.shape.spacing);
+    }
+  }
+  for (const Point& point : earless.points)
+  {
+    rightmost = std::max(rightmost, point.x());
+    leftmost = std::min(leftmost, point.x());
+  }
+  EXPECT_GT(surroundings, medial::count(full.points) / 2);
+  EXPECT_GT(rightmostBefore, 1.5);
+  EXPECT_LT(rightmost, 1 + 3 * p.shape.spacing); // the sphere
+  EXPECT_LT(leftmost, -1.5);                     // the other ear
+}
+
 TEST(Pruning, LeavesTheMiddleOfABoxAsLevelTwo)
 {
   Pipeline& p = pipelines::of("box");
