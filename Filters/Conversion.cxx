@@ -10,8 +10,10 @@
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -336,10 +338,12 @@ void copyCells(vtkPolyData* axis, const std::vector<Index>& chosen, vtkPolyData*
   vtkCellData* cells = output->GetCellData();
   cells->CopyAllOn();
   cells->CopyAllocate(axis->GetCellData(), static_cast<vtkIdType>(chosen.size()));
-  for (vtkIdType i = 0; i < static_cast<vtkIdType>(chosen.size()); ++i)
-  {
-    cells->CopyData(axis->GetCellData(), chosen[i], i);
-  }
+  vtkNew<vtkIdList> from, to;
+  from->SetNumberOfIds(static_cast<vtkIdType>(chosen.size()));
+  to->SetNumberOfIds(static_cast<vtkIdType>(chosen.size()));
+  std::copy(chosen.begin(), chosen.end(), from->begin());
+  std::iota(to->begin(), to->end(), 0);
+  cells->CopyData(axis->GetCellData(), from, to);
 }
 
 void addHistory(vtkFieldData* rows, const std::vector<PruneRow>& history)

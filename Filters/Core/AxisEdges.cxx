@@ -35,11 +35,10 @@ void forUses(const AxisCells& cells, const Body& body)
 /// All uses by first corner, second corner, place. Counted by first corner: few share one.
 std::vector<Use> sortedUses(const AxisCells& cells)
 {
-  std::vector<Index> begin{ 0 };
-  forUses(cells, [&begin](const Use& use) {
-    begin.resize(std::max(begin.size(), static_cast<std::size_t>(use.first) + 2), 0);
-    ++begin[use.first + 1];
-  });
+  Index highest = None;
+  forUses(cells, [&highest](const Use& use) { highest = std::max(highest, use.first); });
+  std::vector<Index> begin(highest + 2, 0);
+  forUses(cells, [&begin](const Use& use) { ++begin[use.first + 1]; });
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
   std::vector<Use> result(begin.back());
   std::vector<Index> next = begin;
@@ -62,6 +61,9 @@ AxisEdges axisEdges(const AxisCells& cells)
   result.ofDangling.resize(cells.edges.size());
   const Index sides = 3 * count(cells.triangles);
   const std::vector<Use> all = sortedUses(cells);
+  result.points.reserve(all.size());
+  result.triangles.offsets.reserve(all.size());
+  result.triangles.items.reserve(sides);
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     const Use& use = all[i];

@@ -37,6 +37,8 @@ LivingCells::LivingCells(const AxisCells& axisCells, const AxisEdges& axisEdges)
   , ofPoint(cellsOfPoints(axisCells))
   , groups(axisCells.size())
 {
+  this->atEdge.reserve(this->edges.points.size());
+  this->atPoint.reserve(this->ofPoint.size());
   for (Index e = 0; e < this->edges.triangles.size(); ++e)
   {
     this->atEdge.push_back(this->edges.triangles[e].size());
@@ -58,11 +60,16 @@ void LivingCells::remove(const std::vector<Index>& removed)
     --this->livingCount;
     const auto leaveEdge = [&](Index e) {
       this->atEdge[e] -= isTriangle;
-      this->changedEdges.push_back(e);
+      if (this->atEdge[e] == 2)
+      {
+        this->changedEdges.push_back(e);
+      }
     };
     const auto leavePoint = [&](Index p) {
-      --this->atPoint[p];
-      this->changedPoints.push_back(p);
+      if (--this->atPoint[p] == 2)
+      {
+        this->changedPoints.push_back(p);
+      }
     };
     forFaces(this->cells, this->edges, c, leaveEdge, leavePoint);
   }
@@ -84,11 +91,15 @@ void LivingCells::join()
 
 void LivingCells::joinAtEdge(Index edge)
 {
+  if (this->atEdge[edge] != 2)
+  {
+    return;
+  }
   Index first = None;
   for (const Index t : this->edges.triangles[edge])
   {
     const Index cell = this->cells.firstTriangle() + t;
-    if (this->atEdge[edge] == 2 && this->living[cell])
+    if (this->living[cell])
     {
       this->groups.unite(first == None ? cell : first, cell);
       first = cell;

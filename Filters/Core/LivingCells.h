@@ -51,7 +51,7 @@ private:
   std::vector<Index> atEdge, atPoint;
   IndexLists ofPoint;
   DisjointSets groups;
-  std::vector<Index> changedEdges, changedPoints; ///< since join()
+  std::vector<Index> changedEdges, changedPoints; ///< may have come down to two since join()
 };
 
 /// Calls onEdge(edge) and onPoint(point) for what a cell uses.

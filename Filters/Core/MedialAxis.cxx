@@ -141,12 +141,13 @@ std::vector<Ball> cornerBalls(const MedialAxis& axis, Index cell)
   return result;
 }
 
-MedialAxis withCells(const MedialAxis& axis, const std::vector<Index>& cells)
+MedialAxis withCells(const MedialAxis& axis, const std::vector<Index>& cells, const Betti& betti)
 {
   MedialAxis result = axis;
   result.cells = {};
   const auto chosen = [&cells](const auto& values) {
     std::decay_t<decltype(values)> some;
+    some.reserve(cells.size());
     for (const Index cell : cells)
     {
       some.push_back(values[cell]);
@@ -172,8 +173,8 @@ MedialAxis withCells(const MedialAxis& axis, const std::vector<Index>& cells)
       result.cells.triangles.push_back(axis.cells.triangles[cell - axis.cells.firstTriangle()]);
     }
   }
-  result.betti = bettiNumbers(result.cells);
-  result.certificate = result.betti == result.powerShapeBetti;
+  result.betti = betti;
+  result.certificate = betti == result.powerShapeBetti;
   return result;
 }
 

@@ -95,9 +95,9 @@ struct AxisOptions
 MedialAxis medialAxis(
   const PolarBalls& polarBalls, const AxisOptions& options = {}, const Execution& execution = {});
 
-/// The axis with some of its cells, given in ascending order, alone; all points stay. The Betti
-/// numbers and the certificate are those of the cells.
-MedialAxis withCells(const MedialAxis& axis, const std::vector<Index>& cells);
+/// The axis with some of its cells, given in ascending order, alone; all points stay.
+/// @param betti  of these cells; the certificate follows
+MedialAxis withCells(const MedialAxis& axis, const std::vector<Index>& cells, const Betti& betti);
 
 /// The maximal balls at the corners of a cell.
 std::vector<Ball> cornerBalls(const MedialAxis& axis, Index cell);

@@ -105,6 +105,7 @@ public:
     , measures(input)
     , totalVolume(std::accumulate(input.ballVolumes.begin(), input.ballVolumes.end(), 0.0))
     , visitedIn(input.points.size(), 0)
+    , metIn(input.cells.size(), 0)
     , inherited(input.cells.size(), 0)
   {
     this->result.removedInIteration.assign(input.cells.size(), None);
@@ -131,7 +132,7 @@ public:
     const Round round =
       this->newRound(this->options.schedule.empty() ? Measure::TriangleCount
                                                     : this->options.schedule.back().measure);
-    this->result.axis = this->livingAxis();
+    this->result.axis = this->livingAxis(bettiNumbers(this->living, round.partition));
     this->result.parts = decompose(this->result.axis);
     this->explain(round);
     return std::move(this->result);
@@ -275,6 +276,7 @@ private:
   {
     const std::vector<Index> cells = this->cellsOf(round, parts);
     this->living.remove(cells);
+    this->current.reset();
     for (const Index cell : cells)
     {
       this->result.removedInIteration[cell] = count(this->result.history);
@@ -298,7 +300,7 @@ private:
   /// Compares the Betti numbers, computed from the living cells alone, with those before.
   void verify(PruneRow& row)
   {
-    const Betti now = this->livingAxis().betti;
+    const Betti now = bettiNumbers(this->livingAxis({}).cells);
     if (now != this->verified && this->options.topology == Topology::Collapse)
     {
       throw std::logic_error(
@@ -393,7 +395,11 @@ private:
   {
     Round round;
     round.measure = measure;
-    round.partition = partition(this->living, 1);
+    if (!this->current)
+    {
+      this->current = partition(this->living, 1);
+    }
+    round.partition = *this->current;
     round.gone.assign(round.partition.dimension.size(), 0);
     round.significance = this->measures.significance(measure, round.partition, this->execution);
     for (Index cell = 0; cell < count(this->inherited); ++cell)
@@ -432,8 +438,9 @@ private:
       for (const Index other : this->living.cellsOfPoint()[p])
       {
         const Index neighbor = round.partition.partOfCell[other];
-        if (neighbor != None && neighbor != part && (result.empty() || result.back() != neighbor))
+        if (neighbor != None && neighbor != part && this->metIn[neighbor] != this->walks)
         {
+          this->metIn[neighbor] = this->walks;
           result.push_back(neighbor);
         }
       }
@@ -449,7 +456,6 @@ private:
       });
     }
     std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
 
@@ -570,7 +576,7 @@ private:
   }
 
   /// The axis with the living cells alone; fills inputCell.
-  MedialAxis livingAxis()
+  MedialAxis livingAxis(const Betti& betti)
   {
     this->result.inputCell.clear();
     for (Index c = 0; c < this->axis.cells.size(); ++c)
@@ -580,7 +586,7 @@ private:
         this->result.inputCell.push_back(c);
       }
     }
-    return withCells(this->axis, this->result.inputCell);
+    return withCells(this->axis, this->result.inputCell, betti);
   }
 
   /// Fills keepReason from the last iteration's point of view.
@@ -630,10 +636,12 @@ private:
   LivingCells living;
   PartCollapse collapse;
   PartMeasures measures;
+  std::optional<Partition> current; ///< of the living cells, until something goes
   double totalVolume;
   Betti verified{};             ///< the last Betti numbers, where every removal is verified
   bool countsTogether = false;  ///< what one part loses after the other
   std::vector<Index> visitedIn; ///< for each point the last of the walks that came there
+  std::vector<Index> metIn;     ///< for each part the last of the walks that met it
   Index walks = 0;
   std::vector<double> inherited; ///< by cell, in the measure of the iteration
   Pruned result;
