@@ -83,6 +83,31 @@ Point principalLengths(
   return (12 * solver.eigenvalues().reverse().cwiseMax(0)).cwiseSqrt();
 }
 
+/// Each point once, in order. Marked where there are many, sorted where few.
+std::vector<Index> ascending(std::vector<Index> points, Index pointCount)
+{
+  if (count(points) < pointCount)
+  {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+  }
+  std::vector<char> isThere(pointCount, 0);
+  for (const Index p : points)
+  {
+    isThere[p] = 1;
+  }
+  points.clear();
+  for (Index p = 0; p < pointCount; ++p)
+  {
+    if (isThere[p])
+    {
+      points.push_back(p);
+    }
+  }
+  return points;
+}
+
 MedialPart measured(const MedialAxis& axis, const Partition& partition, Index part)
 {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -105,8 +130,7 @@ MedialPart measured(const MedialAxis& axis, const Partition& partition, Index pa
   const int corners = result.dimension + 1;
   result.centroid = centroid(axis, partition.cells[part], corners);
   result.principalLengths = principalLengths(axis, partition.cells[part], corners, result.centroid);
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  points = ascending(std::move(points), count(axis.points));
   for (const Index p : points)
   {
     const double radius = axis.radii[p];

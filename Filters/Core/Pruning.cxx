@@ -365,6 +365,10 @@ private:
         pieceSum = together(round.measure, pieceSum, round.significance[piece[i]]);
         large = together(round.measure, sum, pieceSum) > threshold || piece.size() > branchLimit ||
           round.isProtected[piece[i]];
+        if (large)
+        {
+          break; // what only it has seen meets it again
+        }
         for (const Index next : this->neighbors(round, piece[i]))
         {
           const auto known = std::find(visited.begin(), visited.end(), next);
