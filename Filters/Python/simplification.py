@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filters for those who think in numpy."""
+
+from __future__ import annotations
+
+from typing import Any, Iterable, NamedTuple, Sequence
+
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPointSet, vtkPolyData, vtkTable
+
+from .vtkFiltersMedial import vtkSimplifyShape
+
+
+class Simplified(NamedTuple):
+    """What `simplify` returns: outputs 0 to 3 of vtkSimplifyShape."""
+
+    surface: vtkPolyData  # closed, oriented outwards
+    axis: vtkPolyData  # pruned, with PartId
+    table: vtkTable  # a row for each part
+    history: vtkTable  # a row for each iteration
+
+
+def simplify(points: Any, schedule: Iterable[Sequence] | None = None) -> Simplified:
+    """Simplifies the solid that is given by points of its boundary.
+
+    points    an array of shape (n, 3), or a vtkPointSet
+    schedule  iterations (measure, threshold) or (measure, threshold, passes), where measure is a
+              name like "TriangleCount" or "RelativeVolume", see vtkMedialPrune; None: its default
+    Raises ValueError where the points or the schedule can't be used; the message says why.
+    """
+    filter = vtkSimplifyShape()
+    errors = []
+    note = calldata_type(VTK_STRING)(lambda _, __, text: errors.append(text))
+    for sender in (filter, filter.GetMedialPrune(), filter.GetExecutive()):
+        sender.AddObserver("ErrorEvent", note)
+    filter.SetInputData(points if isinstance(points, vtkPointSet) else _cloud(points))
+    if schedule is not None:
+        filter.ClearIterations()
+        for iteration in schedule:
+            filter.AddIterationByName(*iteration)
+    if not errors:
+        filter.Update()
+    if errors:
+        raise ValueError(errors[0].partition("): ")[2].strip())
+    return Simplified(*(filter.GetOutputDataObject(port) for port in range(4)))
+
+
+def arrays(data: vtkDataObject) -> dict[str, Any]:
+    """The arrays of an output as numpy arrays that share its memory: by their names those of points,
+    cells, rows and field; further "points" (n, 3), and of the polygons "offsets" and "corners":
+    polygon i has the points corners[offsets[i]:offsets[i + 1]].
+    """
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    result = {}
+    for kind in range(vtkDataObject.NUMBER_OF_ATTRIBUTE_TYPES):
+        attributes = data.GetAttributesAsFieldData(kind)
+        for i in range(attributes.GetNumberOfArrays() if attributes else 0):
+            result[attributes.GetArrayName(i)] = vtk_to_numpy(attributes.GetArray(i))
+    if isinstance(data, vtkPointSet) and data.GetPoints():
+        result["points"] = vtk_to_numpy(data.GetPoints().GetData())
+    if isinstance(data, vtkPolyData):
+        result["offsets"] = vtk_to_numpy(data.GetPolys().GetOffsetsArray())
+        result["corners"] = vtk_to_numpy(data.GetPolys().GetConnectivityArray())
+    return result
+
+
+def _cloud(points: Any) -> vtkPolyData:
+    import numpy
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+
+    coordinates = numpy.ascontiguousarray(points, dtype=float)
+    if coordinates.ndim != 2 or coordinates.shape[1] != 3:
+        raise ValueError("points have the shape %s; give an array of shape (n, 3)"
+                         % (coordinates.shape,))
+    places = vtkPoints()
+    places.SetData(numpy_to_vtk(coordinates, deep=True))
+    result = vtkPolyData()
+    result.SetPoints(places)
+    return result
