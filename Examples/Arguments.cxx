@@ -167,6 +167,7 @@ std::map<std::string, std::function<void(const std::string&)>> valueOptions(Argu
 std::map<std::string, bool*> switches(Arguments& arguments)
 {
   return {
+    { "--automatic", &arguments.automatic },
     { "--picture", &arguments.picture },
     { "--strict", &arguments.strict },
     { "--quiet", &arguments.quiet },
@@ -199,6 +200,10 @@ void complete(Arguments& arguments)
   if (arguments.output.empty())
   {
     throw UsageError("--output needs a folder");
+  }
+  if (arguments.automatic && arguments.schedule != Arguments().schedule)
+  {
+    throw UsageError("--automatic chooses the schedule; leave out --schedule, or --automatic");
   }
   arguments.iterations = parseSchedule(arguments.schedule);
 }
@@ -263,6 +268,7 @@ solid's closed boundary; cells are ignored.
                          Lengths and areas are in the unit of the samples; a length with %
                          is in per cent of the diagonal of the samples' bounding box.
                          An empty schedule prunes nothing.
+  --automatic            chooses the iterations from the data instead
   --topology collapse    removes a part only where tunnels, voids and pieces stay (default)
              none        removes it anyway
   --remove-parts ID,ID   then removes these parts too, by PartId in parts.vtp and parts.csv

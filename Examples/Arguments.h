@@ -21,6 +21,7 @@ struct Arguments
   std::string output = "out";
   std::string schedule = "t5 t5 v1%";
   std::vector<Iteration> iterations; ///< the schedule, understood
+  bool automatic = false;            ///< chosen from the data instead
   bool keepTopology = true;
   std::vector<int> partsToRemove;
   int threads = 0; ///< 0: as many as there are

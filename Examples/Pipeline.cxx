@@ -19,6 +19,7 @@ void setSchedule(vtkMedialPrune* prune, double diagonal, const Arguments& argume
     prune->AddIteration(
       iteration.measure, iteration.threshold * (iteration.ofDiagonal ? diagonal : 1));
   }
+  prune->SetAutomatic(arguments.automatic);
   prune->SetTopology(arguments.keepTopology ? vtkMedialPrune::COLLAPSE : vtkMedialPrune::NONE);
   for (int part : arguments.partsToRemove)
   {

@@ -151,6 +151,16 @@ double peakMemoryMiB()
   return std::round(usage.ru_maxrss / 1024.0); // Linux counts in KiB
 }
 
+/// An iteration that was chosen from the data, as a word of a schedule.
+std::string chosenWord(double measure, double threshold)
+{
+  const bool ofVolume = static_cast<int>(measure) == vtkMedialPrune::RELATIVE_VOLUME;
+  std::ostringstream out;
+  out << std::setprecision(2) << (ofVolume ? 'v' : 't') << (ofVolume ? 100 * threshold : threshold)
+      << (ofVolume ? "%" : "");
+  return out.str();
+}
+
 std::string scheduleLines(const Pipeline& pipeline, const Arguments& arguments)
 {
   vtkTable* history = vtkTable::SafeDownCast(pipeline.prune->GetOutputDataObject(1));
@@ -160,10 +170,11 @@ std::string scheduleLines(const Pipeline& pipeline, const Arguments& arguments)
     const auto value = [&](const char* column) {
       return history->GetValueByName(row, column).ToDouble();
     };
-    const bool byHand = value("ByHand") != 0;
-    out << "  " << std::left << std::setw(10)
-        << (byHand ? "by hand" : arguments.iterations[row].word) << grouped(value("PartsBefore"))
-        << " -> " << grouped(value("PartsAfter")) << " parts";
+    const std::string word = value("ByHand") != 0 ? "by hand"
+      : arguments.automatic                       ? chosenWord(value("Measure"), value("Threshold"))
+                                                  : arguments.iterations[row].word;
+    out << "  " << std::left << std::setw(10) << word << grouped(value("PartsBefore")) << " -> "
+        << grouped(value("PartsAfter")) << " parts";
     if (value("Refused") > 0)
     {
       out << ", " << grouped(value("Refused")) << " kept";

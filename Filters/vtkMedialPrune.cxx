@@ -216,7 +216,7 @@ int vtkMedialPrune::RequestData(
       this->SelectionRole == REMOVE ? lists.CellsToRemove : lists.CellsToProtect;
     const std::vector<vtkIdType> selected = medial::selectedCells(selection, axis);
     cells.insert(cells.end(), selected.begin(), selected.end());
-    const medial::PruneOptions options{ lists.Schedule,
+    const medial::PruneOptions options{ lists.Schedule, this->Automatic,
       static_cast<medial::Topology>(this->Topology), this->RemoveHair, this->RemoveBranches,
       this->VerifyTopology,
       medial::readCells(axis, lists.PartsToRemove, lists.CellsToRemove, "removed"),
@@ -238,6 +238,7 @@ void vtkMedialPrune::PrintSelf(ostream& os, vtkIndent indent)
   medial::print(os, indent.GetNextIndent(), this->Lists->Schedule);
   const char* const topologies[] = { "COLLAPSE", "NONE", "PAPER_GRAPH" };
   os << indent << "Topology: " << topologies[this->Topology] << "\n";
+  os << indent << "Automatic: " << (this->Automatic ? "on" : "off") << "\n";
   os << indent << "VerifyTopology: " << (this->VerifyTopology ? "on" : "off") << "\n";
   os << indent << "RemoveHair: " << (this->RemoveHair ? "on" : "off") << "\n";
   os << indent << "RemoveBranches: " << (this->RemoveBranches ? "on" : "off") << "\n";

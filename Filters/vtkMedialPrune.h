@@ -113,6 +113,18 @@ public:
   int GetIterationPasses(int iteration) const;
   ///@}
 
+  ///@{
+  /**
+   * Choose the iterations from the data, instead of the schedule: TRIANGLE_COUNT up to 5 until an
+   * iteration removes less than a tenth of the parts, then RELATIVE_VOLUME up to the largest gap in
+   * log-significance (see `SuggestedThreshold`), again until less than a tenth of the parts goes or a
+   * tenth of the volume is gone. The history tells what was chosen. Default off.
+   */
+  vtkSetMacro(Automatic, bool);
+  vtkGetMacro(Automatic, bool);
+  vtkBooleanMacro(Automatic, bool);
+  ///@}
+
   enum TopologyMode
   {
     COLLAPSE = 0,
@@ -243,6 +255,7 @@ private:
   bool RemoveHair = true;
   bool RemoveBranches = true;
   bool VerifyTopology = false;
+  bool Automatic = false;
   int SelectionRole = REMOVE;
 };
 

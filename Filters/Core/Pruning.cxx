@@ -5,6 +5,7 @@
 #include "LivingCells.h"
 #include "PartCollapse.h"
 #include "Partition.h"
+#include "Thresholds.h"
 #include "TopologyGraph.h"
 
 #include <algorithm>
@@ -118,27 +119,99 @@ public:
 
   Pruned run()
   {
-    const double steps = static_cast<double>(this->options.schedule.size()) + 2;
-    for (const PruneIteration& iteration : this->options.schedule)
+    if (this->options.automatic)
     {
-      this->execution.report(static_cast<double>(this->result.history.size()) / steps);
-      this->iterate(iteration);
+      this->iterateAutomatically();
     }
+    else
+    {
+      for (const PruneIteration& iteration : this->options.schedule)
+      {
+        this->reportIterations(this->options.schedule.size());
+        this->iterate(iteration);
+      }
+    }
+    const std::optional<PruneIteration> last = this->lastIteration();
     if (!this->options.cellsToRemove.empty())
     {
       this->removeByHand();
     }
-    this->execution.report(1 - 1 / steps);
-    const Round round =
-      this->newRound(this->options.schedule.empty() ? Measure::TriangleCount
-                                                    : this->options.schedule.back().measure);
+    this->execution.report(0.9);
+    const Round round = this->newRound(last ? last->measure : Measure::TriangleCount);
     this->result.axis = this->livingAxis(bettiNumbers(this->living, round.partition));
     this->result.parts = decompose(this->result.axis);
-    this->explain(round);
+    this->explain(round, last);
     return std::move(this->result);
   }
 
 private:
+  void reportIterations(std::size_t all) const
+  {
+    this->execution.report(
+      0.9 * static_cast<double>(this->result.history.size()) / static_cast<double>(all));
+  }
+
+  /// Of the rows of the history the last by a schedule.
+  std::optional<PruneIteration> lastIteration() const
+  {
+    if (this->result.history.empty())
+    {
+      return std::nullopt;
+    }
+    const PruneRow& row = this->result.history.back();
+    return PruneIteration{ row.measure, row.threshold, row.passes };
+  }
+
+  /// Did the last iteration remove at least a tenth of the parts?
+  bool hasDropped() const
+  {
+    const PruneRow& row = this->result.history.back();
+    return 10 * (row.partsBefore - row.partsAfter) >= row.partsBefore;
+  }
+
+  void iterateAutomatically()
+  {
+    constexpr std::size_t usual = 5; // iterations, for the progress alone
+    do
+    {
+      this->reportIterations(std::max(usual, this->result.history.size() + 1));
+      this->iterate({ Measure::TriangleCount, 5, 0 });
+    }
+    while (this->hasDropped());
+    for (bool goesOn = true; goesOn;)
+    {
+      this->reportIterations(std::max(usual, this->result.history.size() + 1));
+      const double threshold = this->suggestedVolume();
+      goesOn = threshold > 0;
+      if (goesOn)
+      {
+        this->iterate({ Measure::RelativeVolume, threshold, 0 });
+        goesOn = this->hasDropped();
+      }
+    }
+  }
+
+  /// The relative volume up to which parts may go now; 0: none.
+  double suggestedVolume()
+  {
+    std::fill(this->inherited.begin(), this->inherited.end(), 0);
+    const Round round = this->newRound(Measure::RelativeVolume);
+    std::vector<RankedPart> parts;
+    for (Index part = 0; part < count(round.significance); ++part)
+    {
+      if (round.partition.level[part] == 1)
+      {
+        parts.push_back({ round.significance[part], round.significance[part] });
+      }
+    }
+    double budget = removableVolume;
+    for (const PruneRow& row : this->result.history)
+    {
+      budget -= row.volumeRemoved;
+    }
+    return suggestedThreshold(std::move(parts), budget);
+  }
+
   void iterate(const PruneIteration& iteration)
   {
     std::fill(this->inherited.begin(), this->inherited.end(), 0);
@@ -594,10 +667,8 @@ private:
   }
 
   /// Fills keepReason from the last iteration's point of view.
-  void explain(const Round& round)
+  void explain(const Round& round, const std::optional<PruneIteration>& last)
   {
-    const PruneIteration last =
-      this->options.schedule.empty() ? PruneIteration{} : this->options.schedule.back();
     const std::vector<char> isWhole = wholePieces(this->living, round.partition);
     for (Index part = 0; part < count(round.significance); ++part)
     {
@@ -614,7 +685,7 @@ private:
       {
         reason = KeepReason::InnerLevel;
       }
-      else if (this->options.schedule.empty() || round.significance[part] > last.threshold)
+      else if (!last || round.significance[part] > last->threshold)
       {
         reason = KeepReason::AboveThreshold;
       }

@@ -40,6 +40,12 @@ struct PruneIteration
 struct PruneOptions
 {
   std::vector<PruneIteration> schedule;
+
+  /// Instead of the schedule: iterations by triangle count <= 5, the paper's, until one removes less
+  /// than a tenth of the parts; then by relative volume, each with the threshold that the parts suggest
+  /// (see Thresholds.h), until one removes less than a tenth or a tenth of the volume is gone. What it
+  /// chose is in the history.
+  bool automatic = false;
   Topology topology = Topology::Collapse;
   bool removeHair = true;     ///< in each pass chains of dangling edges with a free end and at most
                               ///< the threshold (an edge counts like a triangle) go first

@@ -2,10 +2,12 @@
 #include "Pipelines.h"
 
 #include "Pruning.h"
+#include "Thresholds.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <set>
 
 using complexes::Drawing;
@@ -859,6 +861,66 @@ TEST(Pruning, ScalesWithTheAxisToTheLastBit)
     EXPECT_EQ(pruned.removedInIteration, p.pruned().removedInIteration);
     EXPECT_EQ(pruned.keepReason, p.pruned().keepReason);
   }
+}
+
+TEST(Pruning, AutomaticallyIsByTheScheduleThatItsHistoryTells)
+{
+  PruneOptions automatic;
+  automatic.automatic = true;
+  forEachShape([&](Pipeline& p) {
+    const Pruned pruned = medial::prune(p.axis(), automatic);
+    PruneOptions told;
+    for (const PruneRow& row : pruned.history)
+    {
+      told.schedule.push_back({ row.measure, row.threshold, 0 });
+    }
+    EXPECT_EQ(pipelines::bytesOf(medial::prune(p.axis(), told)), pipelines::bytesOf(pruned));
+    EXPECT_EQ(pruned.axis.betti, p.axis().betti);
+    expectConsistent(p.axis(), pruned);
+  });
+}
+
+TEST(Pruning, AutomaticallyStopsWhereTheDropFlattens)
+{
+  PruneOptions automatic;
+  automatic.automatic = true;
+  const auto expectFlattening = [&](const std::vector<PruneRow>& history) {
+    ASSERT_FALSE(history.empty());
+    double volumeRemoved = 0;
+    for (std::size_t i = 0; i < history.size(); ++i)
+    {
+      const PruneRow& row = history[i];
+      const bool isLast = i + 1 == history.size();
+      const bool dropped = 10 * (row.partsBefore - row.partsAfter) >= row.partsBefore;
+      EXPECT_TRUE(row.measure == Measure::TriangleCount ? row.threshold == 5
+                                                        : volumeRemoved < medial::removableVolume);
+      EXPECT_TRUE(isLast || dropped == (history[i + 1].measure == row.measure));
+      volumeRemoved += row.volumeRemoved;
+    }
+  };
+  forEachShape([&](Pipeline& p) { expectFlattening(medial::prune(p.axis(), automatic).history); });
+
+  RecordProperty("seed", 7);
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 0.02);
+  std::vector<Point> samples = shapes::ellipsoid(0.08).samples;
+  for (Point& p : samples)
+  {
+    p += Point(noise(random), noise(random), noise(random));
+  }
+  const Pruned pruned = medial::prune(medial::medialAxis(medial::polarBalls(samples)), automatic);
+  expectFlattening(pruned.history);
+  EXPECT_EQ(pruned.history.back().measure, Measure::RelativeVolume);
+  EXPECT_LT(pruned.history.back().partsAfter, pruned.history[0].partsAfter / 4);
+}
+
+TEST(Pruning, AutomaticallyScalesWithTheAxis)
+{
+  PruneOptions automatic;
+  automatic.automatic = true;
+  Pipeline& p = pipelines::of("two-hole plate");
+  EXPECT_EQ(medial::prune(pipelines::inUnits(p.axis(), std::ldexp(1, 21)), automatic).inputCell,
+    medial::prune(p.axis(), automatic).inputCell);
 }
 
 TEST(Pruning, IsTheSameOnManyThreads)
