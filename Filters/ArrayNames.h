@@ -68,6 +68,7 @@ constexpr const char* PartErosionThickness = "PartErosionThickness";
 constexpr const char* PartHausdorffDistance = "PartHausdorffDistance";
 // ... field data, single values
 constexpr const char* NumberOfParts = "NumberOfParts";
+constexpr const char* SuggestedThreshold = "SuggestedThreshold"; // a component for each measure
 // ... columns of the table of parts; Volume, ObjectAngle, Lambda, ErosionThickness too
 constexpr const char* Dimension = "Dimension";
 constexpr const char* Level = "Level";

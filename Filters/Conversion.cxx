@@ -250,6 +250,13 @@ void addParts(vtkPolyData* axis, const MedialParts& parts)
   addMeasure(names::PartErosionThickness, &MedialPart::erosionThickness);
   addMeasure(names::PartHausdorffDistance, &MedialPart::hausdorffDistance);
   addOne<vtkIdTypeArray>(axis->GetFieldData(), names::NumberOfParts, count(parts.parts));
+  const auto suggested = tuples<vtkDoubleArray>(names::SuggestedThreshold,
+    static_cast<int>(allMeasures().size()), std::array{ parts.suggestedThresholds });
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    suggested->SetComponentName(static_cast<int>(traits.measure), traits.name);
+  }
+  axis->GetFieldData()->AddArray(suggested);
 }
 
 void addPartTable(vtkFieldData* rows, const std::vector<MedialPart>& parts)

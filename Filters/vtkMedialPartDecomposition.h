@@ -21,7 +21,10 @@
  *    `PartLambda`, `PartErosionThickness`, `PartHausdorffDistance` (double): the other measures of its
  *    part, defined in README.md.
  *
- * Field data: `NumberOfParts` (vtkIdType, 1 value).
+ * Field data: `NumberOfParts` (vtkIdType, 1 value); `SuggestedThreshold` (double, 1 tuple with a
+ * component for each vtkMedialPrune::MeasureType): where parts of level 1 stand out under that
+ * measure, at the largest gap in log-significance among the cuts that remove at least half of them and
+ * at most a tenth of the volume; 0 where the measure doesn't tell.
  *
  * Output 1: vtkTable, one row for each part
  *  - `PartId`, `Triangles`, `Contacts` (number of contact curves), `Neighbors` (number of parts that it

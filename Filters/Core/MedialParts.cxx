@@ -4,6 +4,7 @@
 #include "AxisEdges.h"
 #include "Measures.h"
 #include "Partition.h"
+#include "Thresholds.h"
 #include "TopologyGraph.h"
 
 #include <Eigen/Eigenvalues>
@@ -165,18 +166,31 @@ void addMeasures(const MedialAxis& axis, const Partition& partition, const Execu
   MedialParts& result)
 {
   const PartMeasures measures(axis);
-  const auto add = [&](Measure measure, double MedialPart::*member) {
-    const std::vector<double> values = measures.significance(measure, partition, execution);
+  const std::map<Measure, double MedialPart::*> members{
+    { Measure::PoleVolume, &MedialPart::poleVolume },
+    { Measure::ObjectAngle, &MedialPart::objectAngle },
+    { Measure::Lambda, &MedialPart::lambda },
+    { Measure::ErosionThickness, &MedialPart::erosionThickness },
+    { Measure::HausdorffDistance, &MedialPart::hausdorffDistance },
+  };
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    const std::vector<double> values = measures.significance(traits.measure, partition, execution);
+    const auto member = members.find(traits.measure);
+    std::vector<RankedPart> ranked;
     for (std::size_t part = 0; part < values.size(); ++part)
     {
-      result.parts[part].*member = values[part];
+      if (member != members.end())
+      {
+        result.parts[part].*(member->second) = values[part];
+      }
+      if (partition.level[part] == 1)
+      {
+        ranked.push_back({ values[part], result.parts[part].relativeVolume });
+      }
     }
-  };
-  add(Measure::PoleVolume, &MedialPart::poleVolume);
-  add(Measure::ObjectAngle, &MedialPart::objectAngle);
-  add(Measure::Lambda, &MedialPart::lambda);
-  add(Measure::ErosionThickness, &MedialPart::erosionThickness);
-  add(Measure::HausdorffDistance, &MedialPart::hausdorffDistance);
+    result.suggestedThresholds.push_back(suggestedThreshold(std::move(ranked)));
+  }
 }
 
 /// Fills what the contacts tell of the parts.

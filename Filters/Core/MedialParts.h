@@ -46,9 +46,10 @@ struct ContactCurve
 
 struct MedialParts
 {
-  std::vector<Index> partOfCell;      ///< numbering of AxisCells
-  std::vector<MedialPart> parts;      ///< by lowest triangle; then edges; then vertices
-  std::vector<ContactCurve> contacts; ///< polylines by lowest edge, then points, ascending
+  std::vector<Index> partOfCell;           ///< numbering of AxisCells
+  std::vector<MedialPart> parts;           ///< by lowest triangle; then edges; then vertices
+  std::vector<double> suggestedThresholds; ///< for each measure by its number, see Thresholds.h
+  std::vector<ContactCurve> contacts;      ///< polylines by lowest edge, then points, ascending
 };
 
 /// The parts of an axis and their levels.

@@ -45,6 +45,7 @@ TEST(MedialPartDecomposition, AddsTheArraysOfItsHeader)
       "SiteSamples idtype 2", "TriangleCount idtype 1" }));
   std::vector<std::string> expected = arrays(axis->GetFieldData());
   expected.emplace_back("NumberOfParts idtype 1");
+  expected.emplace_back("SuggestedThreshold double 10");
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(arrays(parts->GetFieldData()), expected);
 }
@@ -107,6 +108,30 @@ TEST(MedialPartDecomposition, CountsItsParts)
   EXPECT_EQ(
     boxPipeline().parts->GetOutput()->GetFieldData()->GetArray("NumberOfParts")->GetComponent(0, 0),
     partTable()->GetNumberOfRows());
+}
+
+TEST(MedialPartDecomposition, SuggestsThresholdsThatRemoveHalfOfTheOuterPartsOrMore)
+{
+  vtkDataArray* suggested =
+    boxPipeline().parts->GetOutput()->GetFieldData()->GetArray("SuggestedThreshold");
+  int toldBy = 0;
+  for (int measure = 0; measure < suggested->GetNumberOfComponents(); ++measure)
+  {
+    const double threshold = suggested->GetComponent(0, measure);
+    ASSERT_STREQ(suggested->GetComponentName(measure), vtkMedialPrune::GetMeasureName(measure));
+    double outer = 0, removed = 0, volume = 0;
+    for (vtkIdType part = 0; part < partTable()->GetNumberOfRows(); ++part)
+    {
+      const char* name = measure == 0 ? "Triangles" : suggested->GetComponentName(measure);
+      const bool isBelow = column("Level", part) == 1 && column(name, part) <= threshold;
+      outer += column("Level", part) == 1;
+      removed += isBelow;
+      volume += isBelow ? column("RelativeVolume", part) : 0;
+    }
+    EXPECT_TRUE(threshold == 0 || (2 * removed >= outer && removed < outer && volume <= 0.1));
+    toldBy += threshold > 0;
+  }
+  EXPECT_GT(toldBy, 5);
 }
 
 TEST(MedialPartDecomposition, SharesTheVolumeAmongTheParts)

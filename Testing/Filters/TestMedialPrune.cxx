@@ -206,6 +206,20 @@ TEST(MedialPrune, GoesOnWhereItStopped)
   EXPECT_TRUE(same(second->GetOutput(), boxPipeline().prune->GetOutput()));
 }
 
+TEST(MedialPrune, AutomaticallyLeavesTheScheduleAlone)
+{
+  vtkNew<vtkMedialPrune> filter;
+  filter->SetInputData(boxPipeline().parts->GetOutput());
+  filter->ClearIterations();
+  filter->AddIteration(vtkMedialPrune::RELATIVE_VOLUME, 1);
+  filter->AutomaticOn();
+  filter->Update();
+  vtkTable* history = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+  EXPECT_EQ(history->GetValueByName(0, "Measure").ToInt(), vtkMedialPrune::TRIANGLE_COUNT);
+  EXPECT_EQ(history->GetValueByName(0, "Threshold").ToDouble(), 5);
+  EXPECT_EQ(filter->GetNumberOfIterations(), 1);
+}
+
 TEST(MedialPrune, KeepsTheBettiNumbers)
 {
   vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
