@@ -8,6 +8,9 @@ namespace medial
 {
 namespace names
 {
+// vtkShareOutObjects: field data, a single value
+constexpr const char* ObjectId = "ObjectId";
+
 // vtkPolarBalls: points, one for each ball
 constexpr const char* Radius = "Radius";
 constexpr const char* InnerRadius = "InnerRadius";

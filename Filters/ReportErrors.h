@@ -4,6 +4,7 @@
 
 #include "Errors.h"
 #include "Execution.h"
+#include "Objects.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
@@ -24,10 +25,27 @@
 /// threads, errors.
 namespace medial
 {
-/// Asks every input for all of it as one piece: no stage can work on a part of the object.
-inline int requestWholeInputs(vtkAlgorithm* filter, vtkInformationVector** inputs)
+/// Is the piece asked for the first, which holds everything? The others are empty.
+inline bool isFirstPiece(vtkInformation* request, vtkInformationVector* outputs)
+{
+  const int port = request->Has(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT())
+    ? std::max(0, request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT()))
+    : 0;
+  vtkInformation* output = outputs->GetInformationObject(port);
+  return !output || !output->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) ||
+    output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) == 0;
+}
+
+/// Asks every input for all of it as one piece: no stage can work on a part of the object. For another
+/// piece than the first, which is empty, the input is not needed: it is asked for the same piece.
+inline int requestWholeInputs(vtkAlgorithm* filter, vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (!isFirstPiece(request, outputs))
+  {
+    return 1;
+  }
   for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
@@ -39,17 +57,6 @@ inline int requestWholeInputs(vtkAlgorithm* filter, vtkInformationVector** input
     }
   }
   return 1;
-}
-
-/// Is the piece asked for the first, which holds everything? The others are empty.
-inline bool isFirstPiece(vtkInformation* request, vtkInformationVector* outputs)
-{
-  const int port = request->Has(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT())
-    ? std::max(0, request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT()))
-    : 0;
-  vtkInformation* output = outputs->GetInformationObject(port);
-  return !output || !output->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) ||
-    output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) == 0;
 }
 
 inline void emptyOutputs(vtkInformationVector* outputs)
@@ -133,15 +140,17 @@ inline void setErrorCode(vtkAlgorithm* filter, unsigned long code)
 /// Runs body(execution) and turns what it throws into a VTK error and empty outputs; the value is
 /// that of RequestData. Work that was stopped has empty outputs too, but is no error.
 template <typename Body>
-int reportErrors(
-  vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector* outputs, const Body& body)
+int reportErrors(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, const Body& body)
 {
   setErrorCode(filter, vtkErrorCode::NoError);
   filter->SetAbortExecute(0); // of an earlier execution; since VTK 9.2 nobody else does it
   emptyOutputs(outputs);
   try
   {
-    if (isFirstPiece(request, outputs) && !inputStopped(filter))
+    const bool isMine =
+      isFirstPiece(request, outputs) || isSharedOut(vtkDataObject::GetData(inputs[0]));
+    if (isMine && !inputStopped(filter))
     {
       body(execution(filter));
     }

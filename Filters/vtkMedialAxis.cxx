@@ -20,10 +20,10 @@ int vtkMedialAxis::FillInputPortInformation(int vtkNotUsed(port), vtkInformation
   return 1;
 }
 
-int vtkMedialAxis::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+int vtkMedialAxis::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return medial::requestWholeInputs(this, inputVector);
+  return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 
 int vtkMedialAxis::RequestData(
@@ -31,11 +31,12 @@ int vtkMedialAxis::RequestData(
 {
   vtkUnstructuredGrid* balls = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
-    const medial::AxisOptions options{ static_cast<medial::AxisFallback>(this->Fallback) };
-    medial::write(
-      medial::medialAxis(medial::readPolarBalls(balls), options, execution), balls, output);
-  });
+  return medial::reportErrors(
+    this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
+      const medial::AxisOptions options{ static_cast<medial::AxisFallback>(this->Fallback) };
+      medial::write(
+        medial::medialAxis(medial::readPolarBalls(balls), options, execution), balls, output);
+    });
 }
 
 void vtkMedialAxis::PrintSelf(ostream& os, vtkIndent indent)

@@ -21,10 +21,10 @@ int vtkMedialPartDecomposition::FillOutputPortInformation(int port, vtkInformati
   return 1;
 }
 
-int vtkMedialPartDecomposition::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+int vtkMedialPartDecomposition::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return medial::requestWholeInputs(this, inputVector);
+  return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 
 int vtkMedialPartDecomposition::RequestData(
@@ -35,12 +35,13 @@ int vtkMedialPartDecomposition::RequestData(
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   vtkPolyData* contacts = vtkPolyData::GetData(outputVector, 2);
   vtkPolyData* graph = vtkPolyData::GetData(outputVector, 3);
-  return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
-    const medial::MedialAxis axis = medial::readMedialAxis(input);
-    const medial::MedialParts parts = medial::decompose(axis, this->MaximumLevel, execution);
-    medial::write(parts, input, output, table, contacts);
-    medial::write(medial::topologyGraph(axis, parts), parts, graph);
-  });
+  return medial::reportErrors(
+    this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
+      const medial::MedialAxis axis = medial::readMedialAxis(input);
+      const medial::MedialParts parts = medial::decompose(axis, this->MaximumLevel, execution);
+      medial::write(parts, input, output, table, contacts);
+      medial::write(medial::topologyGraph(axis, parts), parts, graph);
+    });
 }
 
 void vtkMedialPartDecomposition::PrintSelf(ostream& os, vtkIndent indent)

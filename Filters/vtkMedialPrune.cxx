@@ -196,10 +196,10 @@ int vtkMedialPrune::FillOutputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-int vtkMedialPrune::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+int vtkMedialPrune::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return medial::requestWholeInputs(this, inputVector);
+  return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 
 int vtkMedialPrune::RequestData(
@@ -210,25 +210,26 @@ int vtkMedialPrune::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   vtkPolyData* removed = vtkPolyData::GetData(outputVector, 2);
-  return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
-    vtkLists lists = *this->Lists;
-    std::vector<vtkIdType>& cells =
-      this->SelectionRole == REMOVE ? lists.CellsToRemove : lists.CellsToProtect;
-    const std::vector<vtkIdType> selected = medial::selectedCells(selection, axis);
-    cells.insert(cells.end(), selected.begin(), selected.end());
-    const medial::PruneOptions options{ lists.Schedule, this->Automatic,
-      static_cast<medial::Topology>(this->Topology), this->RemoveHair, this->RemoveBranches,
-      this->VerifyTopology,
-      medial::readCells(axis, lists.PartsToRemove, lists.CellsToRemove, "removed"),
-      medial::readCells(axis, lists.PartsToProtect, lists.CellsToProtect, "protected") };
-    const medial::Pruned pruned = medial::prune(medial::readMedialAxis(axis), options, execution);
-    medial::write(pruned, axis, output, history, removed);
-    const std::string refusals = medial::refusals(pruned, options.cellsToRemove, axis);
-    if (!refusals.empty())
-    {
-      vtkWarningMacro(<< refusals);
-    }
-  });
+  return medial::reportErrors(
+    this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
+      vtkLists lists = *this->Lists;
+      std::vector<vtkIdType>& cells =
+        this->SelectionRole == REMOVE ? lists.CellsToRemove : lists.CellsToProtect;
+      const std::vector<vtkIdType> selected = medial::selectedCells(selection, axis);
+      cells.insert(cells.end(), selected.begin(), selected.end());
+      const medial::PruneOptions options{ lists.Schedule, this->Automatic,
+        static_cast<medial::Topology>(this->Topology), this->RemoveHair, this->RemoveBranches,
+        this->VerifyTopology,
+        medial::readCells(axis, lists.PartsToRemove, lists.CellsToRemove, "removed"),
+        medial::readCells(axis, lists.PartsToProtect, lists.CellsToProtect, "protected") };
+      const medial::Pruned pruned = medial::prune(medial::readMedialAxis(axis), options, execution);
+      medial::write(pruned, axis, output, history, removed);
+      const std::string refusals = medial::refusals(pruned, options.cellsToRemove, axis);
+      if (!refusals.empty())
+      {
+        vtkWarningMacro(<< refusals);
+      }
+    });
 }
 
 void vtkMedialPrune::PrintSelf(ostream& os, vtkIndent indent)

@@ -17,10 +17,10 @@ int vtkPolarBalls::FillInputPortInformation(int vtkNotUsed(port), vtkInformation
   return 1;
 }
 
-int vtkPolarBalls::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+int vtkPolarBalls::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return medial::requestWholeInputs(this, inputVector);
+  return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 
 int vtkPolarBalls::RequestData(
@@ -28,12 +28,13 @@ int vtkPolarBalls::RequestData(
 {
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
-    const medial::PolarBalls balls =
-      medial::polarBalls(medial::readSamples(input), execution.part(0, 0.9));
-    const medial::PowerShape shape = medial::powerShape(balls, execution.part(0.9, 1));
-    medial::write(balls, shape.betti, input, output);
-  });
+  return medial::reportErrors(
+    this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
+      const medial::PolarBalls balls =
+        medial::polarBalls(medial::readSamples(input), execution.part(0, 0.9));
+      const medial::PowerShape shape = medial::powerShape(balls, execution.part(0.9, 1));
+      medial::write(balls, shape.betti, input, output);
+    });
 }
 
 void vtkPolarBalls::PrintSelf(ostream& os, vtkIndent indent)

@@ -2,6 +2,7 @@
 #include "vtkPowerCrust.h"
 
 #include "Conversion.h"
+#include "Objects.h"
 #include "ReportErrors.h"
 
 #include "vtkObjectFactory.h"
@@ -56,30 +57,35 @@ int vtkPowerCrust::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(
     vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  if (port == 1)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  }
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
   return 1;
 }
 
-int vtkPowerCrust::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+int vtkPowerCrust::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return medial::requestWholeInputs(this, inputVector);
+  return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 
 int vtkPowerCrust::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  vtkPolyData* axis = vtkPolyData::GetData(inputVector[1]);
+  vtkDataObject* axes = vtkDataObject::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
-    const medial::PolarBalls balls = medial::readPolarBalls(input);
-    const KeptBalls kept(axis, balls);
-    const medial::CrustOptions options{ static_cast<medial::CrustRule>(this->Rule), this->Clearance,
-      this->MaximumRounds, kept.Topology };
-    medial::write(
-      medial::powerCrust(balls, kept.Flags, options, execution), kept.Parts, input, output);
-  });
+  return medial::reportErrors(
+    this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
+      const medial::PolarBalls balls = medial::readPolarBalls(input);
+      const KeptBalls kept(medial::axisOf(input, axes), balls);
+      const medial::CrustOptions options{ static_cast<medial::CrustRule>(this->Rule),
+        this->Clearance, this->MaximumRounds, kept.Topology };
+      medial::write(
+        medial::powerCrust(balls, kept.Flags, options, execution), kept.Parts, input, output);
+    });
 }
 
 void vtkPowerCrust::PrintSelf(ostream& os, vtkIndent indent)

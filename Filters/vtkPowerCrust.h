@@ -7,8 +7,8 @@
  *
  * Input 0: vtkUnstructuredGrid, the output of vtkPolarBalls.
  * Input 1 (optional): vtkPolyData, an axis that vtkMedialAxis or vtkMedialPrune made from these
- * balls. Then the inner balls on its cells, and the balls they own, are kept. Without it all inner
- * balls are.
+ * balls, or a collection of axes, of which one was. Then the inner balls on its cells, and the balls
+ * they own, are kept. Without it all inner balls are.
  *
  * Output: vtkPolyData, polygons, oriented outwards: counter-clockwise seen from outside.
  *

@@ -79,10 +79,10 @@ int vtkSimplifyShape::FillOutputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-int vtkSimplifyShape::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+int vtkSimplifyShape::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return medial::requestWholeInputs(this, inputVector);
+  return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 
 /// Only samples that have changed make balls and axis again.
@@ -102,18 +102,19 @@ int vtkSimplifyShape::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
-  return medial::reportErrors(this, request, outputVector, [&](const medial::Execution& execution) {
-    this->SetSamples(input);
-    medial::runStage(this->Balls, execution.part(0, 0.3));
-    medial::runStage(this->Axis, execution.part(0.3, 0.7));
-    medial::runStage(this->Prune, execution.part(0.7, 0.8));
-    medial::runStage(this->Parts, execution.part(0.8, 0.85));
-    medial::runStage(this->Crust, execution.part(0.85, 1));
-    vtkDataObject::GetData(outputVector, 0)->ShallowCopy(this->Crust->GetOutput());
-    vtkDataObject::GetData(outputVector, 1)->ShallowCopy(this->Parts->GetOutput());
-    vtkDataObject::GetData(outputVector, 2)->ShallowCopy(this->Parts->GetOutputDataObject(1));
-    vtkDataObject::GetData(outputVector, 3)->ShallowCopy(this->Prune->GetOutputDataObject(1));
-  });
+  return medial::reportErrors(
+    this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
+      this->SetSamples(input);
+      medial::runStage(this->Balls, execution.part(0, 0.3));
+      medial::runStage(this->Axis, execution.part(0.3, 0.7));
+      medial::runStage(this->Prune, execution.part(0.7, 0.8));
+      medial::runStage(this->Parts, execution.part(0.8, 0.85));
+      medial::runStage(this->Crust, execution.part(0.85, 1));
+      vtkDataObject::GetData(outputVector, 0)->ShallowCopy(this->Crust->GetOutput());
+      vtkDataObject::GetData(outputVector, 1)->ShallowCopy(this->Parts->GetOutput());
+      vtkDataObject::GetData(outputVector, 2)->ShallowCopy(this->Parts->GetOutputDataObject(1));
+      vtkDataObject::GetData(outputVector, 3)->ShallowCopy(this->Prune->GetOutputDataObject(1));
+    });
 }
 
 void vtkSimplifyShape::PrintSelf(ostream& os, vtkIndent indent)

@@ -2,6 +2,8 @@
 // From samples to a simplified surface, as users run it.
 #include "FilterTest.h"
 
+#include "vtkShareOutObjects.h"
+
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -113,6 +115,47 @@ TEST(Pipeline, PrunesAgainWithoutMakingTheAxisAgain)
   pipeline.prune->ClearIterations();
   pipeline.crust->Update();
   EXPECT_EQ(pipeline.axis->GetOutput()->GetMTime(), made);
+}
+
+TEST(Pipeline, FindsTheAxisOfEachBlock)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, cloud(shapes::sphere(0.4).samples));
+  blocks->SetBlock(1, cloud(smallBox().samples));
+  Pipeline pipeline(blocks);
+  pipeline.crust->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(pipeline.crust->GetOutputDataObject(0));
+  ASSERT_TRUE(output);
+  EXPECT_TRUE(same(output->GetBlock(1), filterTest::boxPipeline().crust->GetOutput()));
+  Pipeline sphere(cloud(shapes::sphere(0.4).samples));
+  sphere.crust->Update();
+  EXPECT_TRUE(same(output->GetBlock(0), sphere.crust->GetOutput()));
+}
+
+TEST(Pipeline, RefusesTheAxisOfAnotherBlock)
+{
+  vtkNew<vtkMultiBlockDataSet> axes;
+  axes->SetBlock(0, filterTest::boxPipeline().prune->GetOutput());
+  Pipeline sphere(cloud(shapes::sphere(0.4).samples));
+  sphere.crust->SetAxisData(axes);
+  sphere.balls->Update();
+  EXPECT_NE(filterTest::onlyError(sphere.crust).find("no block of the axis"), std::string::npos);
+}
+
+TEST(Pipeline, SharesOutAllObjectsWithoutRanks)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, cloud(shapes::sphere(0.4).samples));
+  blocks->SetBlock(2, cloud(smallBox().samples));
+  vtkNew<vtkShareOutObjects> shared;
+  shared->SetInputDataObject(blocks);
+  shared->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(shared->GetOutputDataObject(0));
+  ASSERT_TRUE(output);
+  EXPECT_EQ(field(output->GetBlock(0), "ObjectId"), 0);
+  EXPECT_FALSE(output->GetBlock(1));
+  EXPECT_EQ(field(output->GetBlock(2), "ObjectId"), 1);
+  EXPECT_EQ(blocks->GetBlock(0)->GetFieldData()->GetNumberOfArrays(), 0);
 }
 
 TEST(Pipeline, TakesBlocksOneByOne)

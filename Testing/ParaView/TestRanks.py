@@ -6,7 +6,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from session import Chain, filters, load_plugin, samples, servermanager
+from session import Chain, box, field, filters, load_plugin, pv, samples, servermanager, write
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -24,6 +24,28 @@ def digest(data):
     return total.hexdigest()
 
 
+def collection():
+    """Boxes of several sizes, each in a block."""
+    return pv.GroupDatasets(Input=[
+        pv.XMLPolyDataReader(FileName=[write(box(spacing), "box%d.vtp" % i)])
+        for i, spacing in enumerate((0.3, 0.15, 0.25, 0.2, 0.35))])
+
+
+def blocks(data):
+    """Of a collection, in order."""
+    iterator = data.NewIterator()
+    while not iterator.IsDoneWithTraversal():
+        yield iterator.GetCurrentDataObject()
+        iterator.GoToNextItem()
+
+
+def print_blocks(name, filter):
+    """In the order of the collection; Fetch has that of the ranks."""
+    found = {field(block, "ObjectId")[0]: block for block in blocks(servermanager.Fetch(filter))}
+    for number, block in sorted(found.items()):
+        print("RESULT", name, number, block.GetNumberOfCells(), digest(block), flush=True)
+
+
 load_plugin()
 chain = Chain(samples())
 one = filters.SimplifyShape(Input=chain.balls.Input)
@@ -31,3 +53,9 @@ for name, filter in (("crust", chain.crust), ("prune", chain.prune), ("one", one
     filter.UpdatePipeline()
     result = servermanager.Fetch(filter)
     print("RESULT", name, result.GetNumberOfCells(), digest(result), flush=True)
+
+shared = filters.ShareOutObjects(Input=collection())
+print_blocks("collection at once", filters.SimplifyShape(Input=shared))
+print_blocks("collection in stages", Chain(shared).crust)
+mine = blocks(shared.SMProxy.GetClientSideObject().GetOutputDataObject(0))
+print("SHARE", len(list(mine)), flush=True)

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Objects_h
+#define Objects_h
+
+class vtkCompositeDataSet;
+class vtkDataObject;
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+/// Collections of objects. Each is a problem of its own.
+namespace medial
+{
+/// Copies the blocks of `input` that are this rank's, each with its number, and the structure of all.
+/// Every rank finds the same: the object with most points goes to the rank with fewest so far.
+void shareOut(vtkCompositeDataSet* input, int rank, int rankCount, vtkCompositeDataSet* output);
+
+/// Is it a whole object that shareOut has given to this rank?
+bool isSharedOut(vtkDataObject* data);
+
+/// The axis made from these balls: `axes` itself, or its block with the same samples.
+/// @return  nullptr where `axes` is
+/// @throw InvalidInput  it has no such block
+vtkPolyData* axisOf(vtkUnstructuredGrid* balls, vtkDataObject* axes);
+}
+
+#endif
