@@ -168,6 +168,7 @@ std::map<std::string, bool*> switches(Arguments& arguments)
 {
   return {
     { "--automatic", &arguments.automatic },
+    { "--split-at-necks", &arguments.splitAtNecks },
     { "--picture", &arguments.picture },
     { "--strict", &arguments.strict },
     { "--quiet", &arguments.quiet },
@@ -269,6 +270,7 @@ solid's closed boundary; cells are ignored.
                          is in per cent of the diagonal of the samples' bounding box.
                          An empty schedule prunes nothing.
   --automatic            chooses the iterations from the data instead
+  --split-at-necks       cuts parts at necks, too, before any pruning; best on clean data
   --topology collapse    removes a part only where tunnels, voids and pieces stay (default)
              none        removes it anyway
   --remove-parts ID,ID   then removes these parts too, by PartId in parts.vtp and parts.csv

@@ -22,6 +22,7 @@ struct Arguments
   std::string schedule = "t5 t5 v1%";
   std::vector<Iteration> iterations; ///< the schedule, understood
   bool automatic = false;            ///< chosen from the data instead
+  bool splitAtNecks = false;
   bool keepTopology = true;
   std::vector<int> partsToRemove;
   int threads = 0; ///< 0: as many as there are

@@ -20,6 +20,7 @@ void setSchedule(vtkMedialPrune* prune, double diagonal, const Arguments& argume
       iteration.measure, iteration.threshold * (iteration.ofDiagonal ? diagonal : 1));
   }
   prune->SetAutomatic(arguments.automatic);
+  prune->SetSplitAtNecks(arguments.splitAtNecks);
   prune->SetTopology(arguments.keepTopology ? vtkMedialPrune::COLLAPSE : vtkMedialPrune::NONE);
   for (int part : arguments.partsToRemove)
   {
@@ -48,6 +49,7 @@ Pipeline::Pipeline(vtkPointSet* samples, const Arguments& arguments)
   this->axis->SetInputConnection(this->balls->GetOutputPort());
   this->parts->SetInputConnection(this->axis->GetOutputPort());
   this->prune->SetInputConnection(this->parts->GetOutputPort());
+  this->parts->SetSplitAtNecks(arguments.splitAtNecks);
   setSchedule(this->prune, samples->GetLength(), arguments);
   this->crustBefore->SetInputConnection(this->balls->GetOutputPort());
   this->crust->SetInputConnection(this->balls->GetOutputPort());

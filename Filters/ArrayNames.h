@@ -83,6 +83,7 @@ constexpr const char* MaximumRadius = "MaximumRadius";
 constexpr const char* HausdorffDistance = "HausdorffDistance";
 constexpr const char* Contacts = "Contacts";
 constexpr const char* Neighbors = "Neighbors";
+constexpr const char* NeckRatio = "NeckRatio";
 constexpr const char* OnLoop = "OnLoop";
 constexpr const char* Centroid = "Centroid";
 constexpr const char* PrincipalLengths = "PrincipalLengths";

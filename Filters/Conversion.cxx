@@ -280,6 +280,7 @@ void addPartTable(vtkFieldData* rows, const std::vector<MedialPart>& parts)
   add<vtkDoubleArray>(rows, names::HausdorffDistance, parts, &MedialPart::hausdorffDistance);
   add<vtkIdTypeArray>(rows, names::Contacts, parts, &MedialPart::contacts);
   add<vtkIdTypeArray>(rows, names::Neighbors, parts, &MedialPart::neighbors);
+  add<vtkDoubleArray>(rows, names::NeckRatio, parts, &MedialPart::neckRatio);
   add<vtkUnsignedCharArray>(rows, names::OnLoop, parts, &MedialPart::onLoop);
   rows->AddArray(tuples<vtkDoubleArray>(names::Bounds, 6, parts, [](const MedialPart& part) {
     const Point &from = part.lower, &to = part.upper;

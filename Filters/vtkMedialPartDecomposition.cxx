@@ -38,7 +38,11 @@ int vtkMedialPartDecomposition::RequestData(
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::MedialAxis axis = medial::readMedialAxis(input);
-      const medial::MedialParts parts = medial::decompose(axis, this->MaximumLevel, execution);
+      const medial::Bodies bodies = this->SplitAtNecks
+        ? medial::bodies(axis, medial::axisEdges(axis.cells), this->NeckRatio)
+        : medial::Bodies{};
+      const medial::MedialParts parts =
+        medial::decompose(axis, this->MaximumLevel, execution, bodies);
       medial::write(parts, input, output, table, contacts);
       medial::write(medial::topologyGraph(axis, parts), parts, graph);
     });
@@ -48,4 +52,6 @@ void vtkMedialPartDecomposition::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+  os << indent << "SplitAtNecks: " << (this->SplitAtNecks ? "on" : "off") << "\n";
+  os << indent << "NeckRatio: " << this->NeckRatio << "\n";
 }

@@ -30,6 +30,8 @@
  *  - `PartId`, `Triangles`, `Contacts` (number of contact curves), `Neighbors` (number of parts that it
  *    shares a contact with) (vtkIdType).
  *  - `Dimension` (2 triangles, 1 lines, 0 a vertex), `Level` (int).
+ *  - `NeckRatio` (double, 0 ... 1): where it was cut off at a neck its limb's largest radius / that of
+ *    what it was cut off; else 1.
  *  - `OnLoop` (unsigned char): 1 where the part joins contacts that hang together without it, as in
  *    output 3. A loop within a single part, such as that of a torus, doesn't show here.
  *  - `Area`, `Volume`, `RelativeVolume` (they sum to 1), `MeanRadius`, `MinimumRadius`, `MaximumRadius`
@@ -87,6 +89,20 @@ public:
   vtkGetMacro(MaximumLevel, int);
   ///@}
 
+  ///@{
+  /**
+   * Cut parts at necks too: limbs that the paper's parts leave on the rest, as a bunny's feet, become
+   * parts of their own. A limb's largest radius is at most NeckRatio times that of what it is cut
+   * off; see Core/Necks.h.
+   * Prune noise away first. Default off, 0.5.
+   */
+  vtkSetMacro(SplitAtNecks, bool);
+  vtkGetMacro(SplitAtNecks, bool);
+  vtkBooleanMacro(SplitAtNecks, bool);
+  vtkSetClampMacro(NeckRatio, double, 0, 1);
+  vtkGetMacro(NeckRatio, double);
+  ///@}
+
 protected:
   vtkMedialPartDecomposition();
   ~vtkMedialPartDecomposition() override = default;
@@ -102,6 +118,8 @@ private:
   void operator=(const vtkMedialPartDecomposition&) = delete;
 
   int MaximumLevel = 0;
+  bool SplitAtNecks = false;
+  double NeckRatio = 0.5;
 };
 
 #endif

@@ -219,7 +219,7 @@ int vtkMedialPrune::RequestData(
       cells.insert(cells.end(), selected.begin(), selected.end());
       const medial::PruneOptions options{ lists.Schedule, this->Automatic,
         static_cast<medial::Topology>(this->Topology), this->RemoveHair, this->RemoveBranches,
-        this->VerifyTopology,
+        this->SplitAtNecks ? this->NeckRatio : 0, this->VerifyTopology,
         medial::readCells(axis, lists.PartsToRemove, lists.CellsToRemove, "removed"),
         medial::readCells(axis, lists.PartsToProtect, lists.CellsToProtect, "protected") };
       const medial::Pruned pruned = medial::prune(medial::readMedialAxis(axis), options, execution);
@@ -239,6 +239,8 @@ void vtkMedialPrune::PrintSelf(ostream& os, vtkIndent indent)
   medial::print(os, indent.GetNextIndent(), this->Lists->Schedule);
   const char* const topologies[] = { "COLLAPSE", "NONE", "PAPER_GRAPH" };
   os << indent << "Topology: " << topologies[this->Topology] << "\n";
+  os << indent << "SplitAtNecks: " << (this->SplitAtNecks ? "on" : "off") << "\n";
+  os << indent << "NeckRatio: " << this->NeckRatio << "\n";
   os << indent << "Automatic: " << (this->Automatic ? "on" : "off") << "\n";
   os << indent << "VerifyTopology: " << (this->VerifyTopology ? "on" : "off") << "\n";
   os << indent << "RemoveHair: " << (this->RemoveHair ? "on" : "off") << "\n";

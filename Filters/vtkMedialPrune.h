@@ -125,6 +125,21 @@ public:
   vtkBooleanMacro(Automatic, bool);
   ///@}
 
+  ///@{
+  /**
+   * Cut parts at necks too: limbs that the paper's parts leave on the rest, as a bunny's feet, become
+   * parts of their own. The necks are those
+   * of the input. A limb's largest radius is at most NeckRatio times that of what it is cut off; see
+   * Core/Necks.h.
+   * Prune noise away first. Default off, 0.5.
+   */
+  vtkSetMacro(SplitAtNecks, bool);
+  vtkGetMacro(SplitAtNecks, bool);
+  vtkBooleanMacro(SplitAtNecks, bool);
+  vtkSetClampMacro(NeckRatio, double, 0, 1);
+  vtkGetMacro(NeckRatio, double);
+  ///@}
+
   enum TopologyMode
   {
     COLLAPSE = 0,
@@ -256,6 +271,8 @@ private:
   bool RemoveBranches = true;
   bool VerifyTopology = false;
   bool Automatic = false;
+  bool SplitAtNecks = false;
+  double NeckRatio = 0.5;
   int SelectionRole = REMOVE;
 };
 

@@ -20,7 +20,7 @@ std::vector<std::vector<Index>> conditions(const LivingCells& living, const Part
   std::vector<std::vector<Index>> rows;
   for (Index e = 0; e < living.edges.triangles.size(); ++e)
   {
-    if (living.trianglesAtEdge(e) < 3)
+    if (!living.isContact(e))
     {
       continue;
     }

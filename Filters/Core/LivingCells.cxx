@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace medial
 {
@@ -29,9 +30,11 @@ IndexLists cellsOfPoints(const AxisCells& cells)
 }
 }
 
-LivingCells::LivingCells(const AxisCells& axisCells, const AxisEdges& axisEdges)
+LivingCells::LivingCells(
+  const AxisCells& axisCells, const AxisEdges& axisEdges, std::vector<Index> bodies)
   : cells(axisCells)
   , edges(axisEdges)
+  , bodyOfCell(std::move(bodies))
   , living(axisCells.size(), 1)
   , livingCount(axisCells.size())
   , ofPoint(cellsOfPoints(axisCells))
@@ -101,10 +104,38 @@ void LivingCells::joinAtEdge(Index edge)
     const Index cell = this->cells.firstTriangle() + t;
     if (this->living[cell])
     {
-      this->groups.unite(first == None ? cell : first, cell);
+      this->joinPair(first == None ? cell : first, cell);
       first = cell;
     }
   }
+}
+
+void LivingCells::joinPair(Index first, Index second)
+{
+  if (this->bodyOfCell.empty() || this->bodyOfCell[first] == this->bodyOfCell[second])
+  {
+    this->groups.unite(first, second);
+  }
+}
+
+bool LivingCells::isContact(Index edge) const
+{
+  if (this->atEdge[edge] != 2 || this->bodyOfCell.empty())
+  {
+    return this->atEdge[edge] > 2;
+  }
+  Index first = None;
+  bool differ = false;
+  for (const Index t : this->edges.triangles[edge])
+  {
+    const Index cell = this->cells.firstTriangle() + t;
+    if (this->living[cell])
+    {
+      differ = first != None && this->bodyOfCell[first] != this->bodyOfCell[cell];
+      first = cell;
+    }
+  }
+  return differ;
 }
 
 void LivingCells::joinAtPoint(Index point)
@@ -119,7 +150,7 @@ void LivingCells::joinAtPoint(Index point)
     const bool isDangling = cell >= this->cells.firstEdge() && cell < this->cells.firstTriangle();
     if (isDangling && this->living[cell])
     {
-      this->groups.unite(first == None ? cell : first, cell);
+      this->joinPair(first == None ? cell : first, cell);
       first = cell;
     }
   }

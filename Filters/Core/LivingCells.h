@@ -17,7 +17,9 @@ class LivingCells
 public:
   /// All cells live.
   /// @param axisCells, axisEdges  must outlive this
-  LivingCells(const AxisCells& axisCells, const AxisEdges& axisEdges);
+  /// @param bodies                of the cells, which no group crosses, see Necks.h; empty: one
+  LivingCells(
+    const AxisCells& axisCells, const AxisEdges& axisEdges, std::vector<Index> bodies = {});
 
   const AxisCells& cells;
   const AxisEdges& edges;
@@ -28,6 +30,9 @@ public:
   /// How many live at an edge, at a point.
   Index trianglesAtEdge(Index edge) const { return this->atEdge[edge]; }
   Index cellsAtPoint(Index point) const { return this->atPoint[point]; }
+
+  /// Do groups touch there: three triangles or more, or two of different bodies?
+  bool isContact(Index edge) const;
 
   /// For each point that had cells in the beginning those, ascending.
   const IndexLists& cellsOfPoint() const { return this->ofPoint; }
@@ -46,6 +51,10 @@ private:
   void joinAtEdge(Index edge);
   void joinAtPoint(Index point);
 
+  /// Joins the cells if they are all of one body.
+  void joinPair(Index first, Index second);
+
+  std::vector<Index> bodyOfCell; ///< or empty
   std::vector<char> living;
   Index livingCount;
   std::vector<Index> atEdge, atPoint;

@@ -243,7 +243,7 @@ ContactEdges contactEdges(const LivingCells& living, const Partition& partition)
   ContactEdges result;
   for (Index e = 0; e < count(edges.points); ++e)
   {
-    if (living.trianglesAtEdge(e) < 3)
+    if (!living.isContact(e))
     {
       continue;
     }
@@ -390,10 +390,11 @@ std::vector<char> keptBalls(const MedialAxis& axis)
   return result;
 }
 
-MedialParts decompose(const MedialAxis& axis, int maximumLevel, const Execution& execution)
+MedialParts decompose(
+  const MedialAxis& axis, int maximumLevel, const Execution& execution, const Bodies& bodies)
 {
   const AxisEdges edges = axisEdges(axis.cells);
-  LivingCells living(axis.cells, edges);
+  LivingCells living(axis.cells, edges, bodies.ofCell);
   const Partition groups = partition(living, maximumLevel);
   execution.report(0.5);
   MedialParts result;
@@ -401,6 +402,11 @@ MedialParts decompose(const MedialAxis& axis, int maximumLevel, const Execution&
   result.parts.resize(groups.dimension.size());
   execution.forEach(
     count(result.parts), [&](Index part) { result.parts[part] = measured(axis, groups, part); });
+  for (Index part = 0; part < groups.cells.size(); ++part)
+  {
+    const Index body = bodies.ofCell.empty() ? None : bodies.ofCell[groups.cells[part][0]];
+    result.parts[part].neckRatio = body == None ? 1 : bodies.neckRatio[body];
+  }
   addVolumes(axis, result);
   addMeasures(axis, groups, execution, result);
   result.contacts = contacts(living, groups);

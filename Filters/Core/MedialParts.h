@@ -5,6 +5,7 @@
 #include "Execution.h"
 #include "LivingCells.h"
 #include "MedialAxis.h"
+#include "Necks.h"
 #include "Partition.h"
 #include "Types.h"
 
@@ -25,10 +26,11 @@ struct MedialPart
   double meanRadius, minimumRadius, maximumRadius; ///< over its points
   /// The measures of these names, see Measures.h.
   double poleVolume, objectAngle, lambda, erosionThickness, hausdorffDistance;
-  Index contacts;  ///< number of contact curves it has a share in
-  Index neighbors; ///< number of parts that it shares a contact with
-  bool onLoop;     ///< TopologyGraph::partOnLoop: it joins contacts that hang together without it;
-                   ///< a loop within one part doesn't count
+  Index contacts;   ///< number of contact curves it has a share in
+  Index neighbors;  ///< number of parts that it shares a contact with
+  double neckRatio; ///< of its body, see Necks.h; 1 where it was not cut off at a neck
+  bool onLoop;      ///< TopologyGraph::partOnLoop: it joins contacts that hang together without it;
+                    ///< a loop within one part doesn't count
   Point lower, upper; ///< corners of its bounding box
   Point centroid;     ///< of its triangles by area, of its edges by length
   /// The sides, descending, of the box with the moments of inertia of its triangles or edges: a
@@ -56,8 +58,9 @@ struct MedialParts
 ///
 /// Every ball is counted in one part, so the relative volumes sum to 1.
 /// @param maximumLevel  parts above it get level 0; 0 or less: no limit
-MedialParts decompose(
-  const MedialAxis& axis, int maximumLevel = 0, const Execution& execution = {});
+/// @param bodies        of the axis, that no part crosses; none: no such bounds
+MedialParts decompose(const MedialAxis& axis, int maximumLevel = 0, const Execution& execution = {},
+  const Bodies& bodies = {});
 
 /// The contact curves and points of the living parts, see MedialParts.
 std::vector<ContactCurve> contacts(const LivingCells& living, const Partition& partition);

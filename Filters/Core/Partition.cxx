@@ -90,16 +90,16 @@ void findBorder(const LivingCells& living, Partition& result)
   }
 }
 
-/// Calls body(cell) for what a level spreads to: over edges with more than two triangles, and from
+/// Calls body(cell) for what a level spreads to: over contacts, and from
 /// any part to the dangling edges at its points.
 template <typename Body>
 void forInwardNeighbors(const LivingCells& living, Index cell, const Body& body)
 {
   const AxisCells& cells = living.cells;
   const auto overEdge = [&](Index e) {
-    for (const Index other : living.edges.triangles[e])
+    if (living.isContact(e))
     {
-      if (living.trianglesAtEdge(e) > 2)
+      for (const Index other : living.edges.triangles[e])
       {
         body(cells.firstTriangle() + other);
       }

@@ -31,6 +31,10 @@ void requireValid(const MedialAxis& axis, const PruneOptions& options)
                          "not a number; give thresholds of 0 and more (volumes: 0 ... 1)");
     }
   }
+  if (!(options.neckRatio >= 0 && options.neckRatio <= 1))
+  {
+    throw InvalidInput("the neck ratio is a share of a radius; give a number from 0 to 1");
+  }
   const auto requireThere = [&axis](const std::vector<Index>& cells, const char* what) {
     for (const Index cell : cells)
     {
@@ -101,7 +105,8 @@ public:
     , options(settings)
     , execution(how)
     , edges(axisEdges(input.cells))
-    , living(input.cells, this->edges)
+    , limbs(settings.neckRatio > 0 ? bodies(input, this->edges, settings.neckRatio) : Bodies{})
+    , living(input.cells, this->edges, this->limbs.ofCell)
     , collapse(this->living)
     , measures(input)
     , totalVolume(std::accumulate(input.ballVolumes.begin(), input.ballVolumes.end(), 0.0))
@@ -139,7 +144,7 @@ public:
     this->execution.report(0.9);
     const Round round = this->newRound(last ? last->measure : Measure::TriangleCount);
     this->result.axis = this->livingAxis(bettiNumbers(this->living, round.partition));
-    this->result.parts = decompose(this->result.axis);
+    this->result.parts = decompose(this->result.axis, 0, {}, this->livingBodies());
     this->explain(round, last);
     return std::move(this->result);
   }
@@ -666,6 +671,19 @@ private:
     return withCells(this->axis, this->result.inputCell, betti);
   }
 
+  Bodies livingBodies() const
+  {
+    Bodies result{ {}, this->limbs.neckRatio };
+    for (const Index cell : this->result.inputCell)
+    {
+      if (!this->limbs.ofCell.empty())
+      {
+        result.ofCell.push_back(this->limbs.ofCell[cell]);
+      }
+    }
+    return result;
+  }
+
   /// Fills keepReason from the last iteration's point of view.
   void explain(const Round& round, const std::optional<PruneIteration>& last)
   {
@@ -708,6 +726,7 @@ private:
   const PruneOptions& options;
   const Execution& execution;
   AxisEdges edges;
+  Bodies limbs;
   LivingCells living;
   PartCollapse collapse;
   PartMeasures measures;

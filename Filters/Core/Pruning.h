@@ -52,6 +52,7 @@ struct PruneOptions
   bool removeBranches = true; ///< a part goes with the smaller rest that it alone connects, where
                               ///< their significance together is at most the threshold; with
                               ///< Topology::Collapse only
+  double neckRatio = 0; ///< parts are cut at necks of the input too, see Necks.h; 0: they aren't
   bool verifyTopology = false; ///< compute the Betti numbers anew after every single removal: slow
 
   /// Cells of the input. After the schedule, every living part that holds one of them goes, however

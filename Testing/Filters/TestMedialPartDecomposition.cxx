@@ -56,8 +56,8 @@ TEST(MedialPartDecomposition, HasTheColumnsOfItsHeader)
     (std::vector<std::string>{ "Area double 1", "Bounds double 6", "Centroid double 3",
       "Contacts idtype 1", "Dimension int 1", "ErosionThickness double 1",
       "HausdorffDistance double 1", "Lambda double 1", "Level int 1", "MaximumRadius double 1",
-      "MeanRadius double 1", "MinimumRadius double 1", "Neighbors idtype 1", "ObjectAngle double 1",
-      "OnLoop unsigned char 1", "PartId idtype 1", "PoleVolume double 1",
+      "MeanRadius double 1", "MinimumRadius double 1", "NeckRatio double 1", "Neighbors idtype 1",
+      "ObjectAngle double 1", "OnLoop unsigned char 1", "PartId idtype 1", "PoleVolume double 1",
       "PrincipalLengths double 3", "RelativeVolume double 1", "Triangles idtype 1",
       "Volume double 1" }));
 }
