@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTest.h"
 
+#include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -8,6 +9,7 @@
 #include <vtkMassProperties.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -167,12 +169,12 @@ TEST(PowerCrust, RefusesAnAxisWithoutCells)
   axis->SetPolys(nullptr);
   axis->SetLines(nullptr);
   axis->SetVerts(nullptr);
-  axis->GetCellData()->Initialize();
-  for (const char* name : { "PolygonId", "SiteSamples" })
+  for (int i = 0; i < axis->GetCellData()->GetNumberOfArrays(); ++i)
   {
-    vtkNew<vtkIdTypeArray> none;
-    none->SetName(name);
-    none->SetNumberOfComponents(std::string(name) == "SiteSamples" ? 2 : 1);
+    vtkAbstractArray* array = axis->GetCellData()->GetAbstractArray(i);
+    const auto none = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+    none->SetName(array->GetName());
+    none->SetNumberOfComponents(array->GetNumberOfComponents());
     axis->GetCellData()->AddArray(none);
   }
   vtkSmartPointer<vtkPowerCrust> filter = boxCrust();
