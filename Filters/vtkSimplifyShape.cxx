@@ -46,6 +46,38 @@ void vtkSimplifyShape::AddIterationByName(const char* measure, double threshold,
   this->Prune->AddIterationByName(measure, threshold, passes);
 }
 
+void vtkSimplifyShape::SetAutomatic(bool automatic)
+{
+  this->Prune->SetAutomatic(automatic);
+}
+
+bool vtkSimplifyShape::GetAutomatic()
+{
+  return this->Prune->GetAutomatic();
+}
+
+void vtkSimplifyShape::SetSplitAtNecks(bool split)
+{
+  this->Prune->SetSplitAtNecks(split);
+  this->Parts->SetSplitAtNecks(split);
+}
+
+bool vtkSimplifyShape::GetSplitAtNecks()
+{
+  return this->Prune->GetSplitAtNecks();
+}
+
+void vtkSimplifyShape::SetNeckRatio(double ratio)
+{
+  this->Prune->SetNeckRatio(ratio);
+  this->Parts->SetNeckRatio(ratio);
+}
+
+double vtkSimplifyShape::GetNeckRatio()
+{
+  return this->Prune->GetNeckRatio();
+}
+
 vtkMedialAxis* vtkSimplifyShape::GetMedialAxis()
 {
   return this->Axis;
@@ -64,7 +96,7 @@ vtkPowerCrust* vtkSimplifyShape::GetPowerCrust()
 vtkMTimeType vtkSimplifyShape::GetMTime()
 {
   return std::max({ this->Superclass::GetMTime(), this->Axis->GetMTime(), this->Prune->GetMTime(),
-    this->Crust->GetMTime() });
+    this->Parts->GetMTime(), this->Crust->GetMTime() });
 }
 
 int vtkSimplifyShape::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)

@@ -57,6 +57,28 @@ public:
 
   ///@{
   /**
+   * Choose the iterations from the data, instead of the schedule: see vtkMedialPrune. Default off.
+   */
+  void SetAutomatic(bool automatic);
+  bool GetAutomatic();
+  vtkBooleanMacro(Automatic, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Cut parts at necks too, for pruning and in outputs 1 and 2, where a limb's largest radius is at
+   * most NeckRatio (0 ... 1) times that of what it is cut off: see vtkMedialPartDecomposition.
+   * Default off, 0.5.
+   */
+  void SetSplitAtNecks(bool split);
+  bool GetSplitAtNecks();
+  vtkBooleanMacro(SplitAtNecks, bool);
+  void SetNeckRatio(double ratio);
+  double GetNeckRatio();
+  ///@}
+
+  ///@{
+  /**
    * The stages, for their other properties.
    */
   vtkMedialAxis* GetMedialAxis();

@@ -71,6 +71,35 @@ TEST(SimplifyShape, FollowsTheScheduleWithTheSameAxis)
   EXPECT_GT(simplify->GetOutputDataObject(0)->GetMTime(), before);
 }
 
+TEST(SimplifyShape, PassesItsPropertiesOn)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetInputData(cloud(smallBox().samples));
+  simplify->Update();
+  simplify->AutomaticOn();
+  EXPECT_TRUE(simplify->GetAutomatic());
+  simplify->Update();
+  vtkNew<vtkMedialPrune> prune;
+  prune->SetInputConnection(boxPipeline().parts->GetOutputPort());
+  prune->AutomaticOn();
+  prune->Update();
+  EXPECT_TRUE(same(simplify->GetOutputDataObject(3), prune->GetOutputDataObject(1)));
+  simplify->SplitAtNecksOn();
+  simplify->SetNeckRatio(1);
+  EXPECT_TRUE(simplify->GetSplitAtNecks());
+  EXPECT_EQ(simplify->GetNeckRatio(), 1);
+  simplify->Update();
+  prune->SplitAtNecksOn();
+  prune->SetNeckRatio(1);
+  vtkNew<vtkMedialPartDecomposition> parts;
+  parts->SetInputConnection(prune->GetOutputPort());
+  parts->SplitAtNecksOn();
+  parts->SetNeckRatio(1);
+  parts->Update();
+  EXPECT_TRUE(same(simplify->GetOutputDataObject(1), parts->GetOutput()));
+  EXPECT_TRUE(same(simplify->GetOutputDataObject(2), parts->GetOutputDataObject(1)));
+}
+
 TEST(SimplifyShape, PassesTheErrorOfAStageOn)
 {
   vtkNew<vtkPolarBalls> balls;

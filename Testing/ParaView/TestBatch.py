@@ -95,6 +95,36 @@ class Batch(unittest.TestCase):
         one.Schedule = []
         self.assertGreater(volume(one), volume(self.chain.crust))
 
+    def test_offers_every_measure(self):
+        measures = ["TriangleCount", "RelativeVolume", "PoleVolume", "Area", "MeanRadius",
+                    "MaximumRadius", "ObjectAngle", "Lambda", "ErosionThickness",
+                    "HausdorffDistance"]
+        one = filters.SimplifyShape(Input=self.chain.balls.Input)
+        rows = sum(([name, "0", "1"] for name in measures), [])
+        for filter, port in ((self.chain.prune, 1), (one, 3)):
+            filter.Schedule = rows
+            history = servermanager.Fetch(filter, idx=port)
+            self.assertEqual(column(history, "Measure"), list(range(10)))
+            text = filter.GetProperty("Schedule").GetDocumentation().GetDescription()
+            self.assertEqual([name for name in measures if name not in text], [])
+
+    def test_chooses_and_splits_on_request(self):
+        one = filters.SimplifyShape(Input=self.chain.balls.Input)
+        for filter, port in ((self.chain.prune, 1), (one, 3)):
+            filter.Automatic = 1
+            chosen = column(servermanager.Fetch(filter, idx=port), "Threshold")
+            self.assertNotEqual(chosen, [5, 5, 0.01])
+            filter.Schedule = []
+            self.assertEqual(column(servermanager.Fetch(filter, idx=port), "Threshold"), chosen)
+            filter.Automatic = 0 # and so nothing is pruned
+        for filter, port in ((self.chain.parts, 0), (self.chain.prune, 0), (one, 1)):
+            filter.SplitAtNecks = 0
+            whole = field(servermanager.Fetch(filter, idx=port), "NumberOfParts")
+            filter.SplitAtNecks = 1
+            filter.NeckRatio = 1
+            split = field(servermanager.Fetch(filter, idx=port), "NumberOfParts")
+            self.assertGreater(split, whole)
+
     def test_shows_parts_in_colors_of_their_own(self):
         view = pv.CreateView("RenderView")
         view.ViewSize = [400, 300]
