@@ -4,6 +4,8 @@
 #include "Pruning.h"
 #include "Thresholds.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -115,6 +117,27 @@ std::set<Index> removedTriangles(const MedialAxis& axis, const Pruned& pruned)
     }
   }
   return removed;
+}
+
+/// The share of the crust's area that is farther outside the shape's true boundary than from, in
+/// spacings, and not farther than to.
+double shareOfArea(const shapes::Shape& shape, const medial::Crust& crust, double from, double to)
+{
+  double all = 0, between = 0;
+  for (Index f = 0; f < crust.faces.size(); ++f)
+  {
+    const auto face = crust.faces[f];
+    const Point& a = crust.points[*face.begin()];
+    for (auto c = face.begin() + 2; c < face.end(); ++c)
+    {
+      const Point &b = crust.points[*(c - 1)], &d = crust.points[*c];
+      const double area = (b - a).cross(d - a).norm();
+      all += area;
+      const double outside = shape.outside((a + b + d) / 3) / shape.spacing;
+      between += outside > from && outside <= to ? area : 0;
+    }
+  }
+  return between / all;
 }
 
 Index firstTriangleOf(const MedialAxis& axis, const medial::MedialParts& parts, Index part)
@@ -585,6 +608,28 @@ TEST(Pruning, OfFigure7RightRefusesThePartsOfTheLoop)
   }
 }
 
+TEST(Pruning, OfFigure9KeepsTheThreeTunnels)
+{
+  // Three tunnels run up between the sheets; every part is a wall of one.
+  const MedialAxis axis = complexes::fourNodesAndSixParts().axis();
+  ASSERT_EQ(axis.betti, (Betti{ 1, 3, 0 }));
+  const medial::MedialParts parts = medial::decompose(axis);
+  ASSERT_EQ(parts.parts.size(), 6u);
+  const Pruned all = medial::prune(axis, once(Measure::RelativeVolume, 1));
+  expectBetti(all, axis.betti);
+  expectConsistent(axis, all);
+  EXPECT_EQ(all.history.at(0).refusedByTopology, 6);
+  for (Index part = 0; part < 6; ++part)
+  {
+    const Pruned pruned = medial::prune(axis, byHand({ firstTriangleOf(axis, parts, part) }));
+    expectBetti(pruned, axis.betti);
+    EXPECT_EQ(pruned.fates, std::vector<CellFate>{ CellFate::Topology });
+  }
+  PruneOptions control = once(Measure::TriangleCount, 12); // the three sheets in the middle
+  control.topology = Topology::None;
+  EXPECT_NE(medial::prune(axis, control).axis.betti, axis.betti);
+}
+
 TEST(Pruning, ByHandTakesAPartHoweverSignificant)
 {
   Pipeline& p = pipelines::of("box");
@@ -657,6 +702,34 @@ TEST(Pruning, ByHandTakesAnEarAndNothingElse)
   EXPECT_GT(rightmostBefore, 1.5);
   EXPECT_LT(rightmost, 1 + 3 * p.shape.spacing); // the sphere
   EXPECT_LT(leftmost, -1.5);                     // the other ear
+}
+
+TEST(Pruning, TakesNoiseAndLeavesTheShape)
+{
+  // Paper Figure 11: noise on a part of the object, here on one half of an ellipsoid.
+  shapes::Shape shape = shapes::ellipsoid(0.08);
+  RecordProperty("seed", 11);
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0, 0.7 * shape.spacing);
+  for (Point& sample : shape.samples)
+  {
+    const Point normal = Point(sample.x() / 9, sample.y() / 4, sample.z()).normalized();
+    sample += (sample.x() > 0 ? noise(random) : 0) * normal;
+  }
+  Pipeline p(shape);
+  ASSERT_EQ(p.axis().betti, shape.betti);
+  PruneOptions options = once(Measure::TriangleCount, 5);
+  options.schedule.push_back({ Measure::TriangleCount, 5, 0 });
+  options.schedule.push_back({ Measure::RelativeVolume, 0.01, 0 });
+  const Pruned pruned = medial::prune(p.axis(), options);
+  expectBetti(pruned, shape.betti);
+  EXPECT_LE(10 * pruned.parts.parts.size(), p.parts().parts.size());
+  const medial::Crust after = medial::powerCrust(p.balls(), medial::keptBalls(pruned.axis));
+  EXPECT_GE(shareOfArea(shape, after, -2, 2), 0.99);
+  // What stood out has gone.
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_LT(
+    shareOfArea(shape, after, 0.5, infinity), shareOfArea(shape, p.crust(), 0.5, infinity) / 2);
 }
 
 TEST(Pruning, LeavesTheMiddleOfABoxAsLevelTwo)
