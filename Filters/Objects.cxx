@@ -22,13 +22,6 @@ namespace medial
 {
 namespace
 {
-vtkSmartPointer<vtkCompositeDataIterator> firstBlock(vtkCompositeDataSet* data)
-{
-  auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(data->NewIterator());
-  block->InitTraversal();
-  return block;
-}
-
 /// For each object its rank.
 std::vector<int> ranksOf(const std::vector<vtkIdType>& sizes, int rankCount)
 {
@@ -68,21 +61,30 @@ bool sameNumbers(vtkDataArray* a, vtkDataArray* b)
 }
 }
 
+vtkSmartPointer<vtkCompositeDataIterator> firstBlock(vtkCompositeDataSet* data)
+{
+  auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(data->NewIterator());
+  block->SkipEmptyNodesOff();
+  block->InitTraversal();
+  return block;
+}
+
 void shareOut(vtkCompositeDataSet* input, int rank, int rankCount, vtkCompositeDataSet* output)
 {
   output->CopyStructure(input);
   std::vector<vtkIdType> sizes;
   for (auto block = firstBlock(input); !block->IsDoneWithTraversal(); block->GoToNextItem())
   {
-    sizes.push_back(block->GetCurrentDataObject()->GetNumberOfElements(vtkDataObject::POINT));
+    vtkDataObject* data = block->GetCurrentDataObject();
+    sizes.push_back(data ? data->GetNumberOfElements(vtkDataObject::POINT) : 0);
   }
   const std::vector<int> ranks = ranksOf(sizes, rankCount);
   vtkIdType object = 0;
   for (auto block = firstBlock(input); !block->IsDoneWithTraversal(); block->GoToNextItem())
   {
-    if (ranks[object] == rank)
+    vtkDataObject* data = block->GetCurrentDataObject();
+    if (data && ranks[object] == rank)
     {
-      vtkDataObject* data = block->GetCurrentDataObject();
       const auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
       copy->ShallowCopy(data);
       addOne<vtkIdTypeArray>(copy->GetFieldData(), names::ObjectId, object);

@@ -2,6 +2,9 @@
 #ifndef Objects_h
 #define Objects_h
 
+#include "vtkCompositeDataIterator.h"
+#include "vtkSmartPointer.h"
+
 class vtkCompositeDataSet;
 class vtkDataObject;
 class vtkPolyData;
@@ -10,6 +13,10 @@ class vtkUnstructuredGrid;
 /// Collections of objects. Each is a problem of its own.
 namespace medial
 {
+/// The first block of a collection. Empty ones (nullptr) count too: each object has the same number on
+/// every rank.
+vtkSmartPointer<vtkCompositeDataIterator> firstBlock(vtkCompositeDataSet* data);
+
 /// Copies the blocks of `input` that are this rank's, each with its number, and the structure of all.
 /// Every rank finds the same: the object with most points goes to the rank with fewest so far.
 void shareOut(vtkCompositeDataSet* input, int rank, int rankCount, vtkCompositeDataSet* output);

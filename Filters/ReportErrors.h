@@ -137,23 +137,17 @@ inline void setErrorCode(vtkAlgorithm* filter, unsigned long code)
   (filter->*&Access::SetErrorCode)(code);
 }
 
-/// Runs body(execution) and turns what it throws into a VTK error and empty outputs; the value is
-/// that of RequestData. Work that was stopped has empty outputs too, but is no error.
+/// Runs body(execution) on every rank and turns what it throws into a VTK error and empty outputs; the
+/// value is that of RequestData. Work that was stopped has empty outputs too, but is no error.
 template <typename Body>
-int reportErrors(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, const Body& body)
+int reportErrorsOfAllRanks(vtkAlgorithm* filter, vtkInformationVector* outputs, const Body& body)
 {
   setErrorCode(filter, vtkErrorCode::NoError);
   filter->SetAbortExecute(0); // of an earlier execution; since VTK 9.2 nobody else does it
   emptyOutputs(outputs);
   try
   {
-    const bool isMine =
-      isFirstPiece(request, outputs) || isSharedOut(vtkDataObject::GetData(inputs[0]));
-    if (isMine && !inputStopped(filter))
-    {
-      body(execution(filter));
-    }
+    body(execution(filter));
     return 1;
   }
   catch (const Aborted&)
@@ -168,6 +162,21 @@ int reportErrors(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVe
     vtkErrorWithObjectMacro(filter, << error.what());
     return 0;
   }
+}
+
+/// The same on the rank that computes this object; the others have empty outputs.
+template <typename Body>
+int reportErrors(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, const Body& body)
+{
+  return reportErrorsOfAllRanks(filter, outputs, [&](const Execution& execution) {
+    const bool isMine =
+      isFirstPiece(request, outputs) || isSharedOut(vtkDataObject::GetData(inputs[0]));
+    if (isMine && !inputStopped(filter))
+    {
+      body(execution);
+    }
+  });
 }
 }
 

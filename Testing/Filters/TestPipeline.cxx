@@ -154,7 +154,7 @@ TEST(Pipeline, SharesOutAllObjectsWithoutRanks)
   ASSERT_TRUE(output);
   EXPECT_EQ(field(output->GetBlock(0), "ObjectId"), 0);
   EXPECT_FALSE(output->GetBlock(1));
-  EXPECT_EQ(field(output->GetBlock(2), "ObjectId"), 1);
+  EXPECT_EQ(field(output->GetBlock(2), "ObjectId"), 2);
   EXPECT_EQ(blocks->GetBlock(0)->GetFieldData()->GetNumberOfArrays(), 0);
 }
 

@@ -6,19 +6,24 @@ import os
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from session import Chain, box, field, filters, load_plugin, pv, samples, servermanager, write
+from session import (Chain, box, check_equal, column, field, filters, load_plugin, pv, samples,
+                     servermanager, write)
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 
 def digest(data):
     """Of points, cells and their arrays."""
-    total = hashlib.sha256()
     arrays = [data.GetPoints().GetData(), data.GetPolys().GetConnectivityArray()]
     for attributes in (data.GetPointData(), data.GetCellData()):
         names = [attributes.GetArrayName(i) for i in range(attributes.GetNumberOfArrays())]
         arrays += [attributes.GetArray(name) for name in sorted(names)
                    if not name.startswith("vtk")]
+    return digest_of(arrays)
+
+
+def digest_of(arrays):
+    total = hashlib.sha256()
     for array in arrays:
         total.update(vtk_to_numpy(array).tobytes())
     return total.hexdigest()
@@ -57,5 +62,15 @@ for name, filter in (("crust", chain.crust), ("prune", chain.prune), ("one", one
 shared = filters.ShareOutObjects(Input=collection())
 print_blocks("collection at once", filters.SimplifyShape(Input=shared))
 print_blocks("collection in stages", Chain(shared).crust)
+simplified = filters.SimplifyShape(Input=shared, Schedule=["TriangleCount", "5", "0"])
+collected = filters.CollectParts(Input=servermanager.OutputPort(simplified, 2),
+                                 Parts=servermanager.OutputPort(simplified, 1), UniquePartIds=1)
+table = servermanager.Fetch(collected)
+check_equal(column(table, "PartId"), list(range(table.GetNumberOfRows())), "PartId of the table")
+parts = [set(column(block.GetCellData(), "PartId"))
+         for block in blocks(servermanager.Fetch(collected, idx=1))]
+check_equal(sorted(sum(map(list, parts), [])), column(table, "PartId"), "PartId of the parts")
+rows = [table.GetColumn(i) for i in range(table.GetNumberOfColumns())]
+print("RESULT", "table", table.GetNumberOfRows(), digest_of(rows), flush=True)
 mine = blocks(shared.SMProxy.GetClientSideObject().GetOutputDataObject(0))
 print("SHARE", len(list(mine)), flush=True)
