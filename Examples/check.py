@@ -286,6 +286,17 @@ class SimplifyShape(unittest.TestCase):
         subprocess.run([figure10, os.path.join(out, "history.csv"), self.path("10.png")], check=True)
         with open(self.path("10.png"), "rb") as file:
             self.assertEqual(struct.unpack(">II", file.read(24)[16:]), (900, 600))
+        panels = os.path.join(os.path.dirname(figure10), "panels")
+        axis = os.path.join(out, "parts.vtp")
+        subprocess.run([panels, self.path("panels.png"), "--columns", "2", "--size", "100",
+                        os.path.join(out, "surface.vtp") + ":a", axis + ":PartId:b",
+                        axis + ":PartArea:c"], check=True)
+        with open(self.path("panels.png"), "rb") as file:
+            self.assertEqual(struct.unpack(">II", file.read(24)[16:]), (200, 200))
+        failed = subprocess.run([panels, self.path("none.png"), axis + ":Nothing:a"],
+                                capture_output=True, text=True)
+        self.assertEqual(failed.returncode, 1)
+        self.assertIn("Nothing", failed.stderr)
         failed = subprocess.run([figure10], capture_output=True, text=True)
         self.assertEqual(failed.returncode, 1)
         self.assertIn("history.csv", failed.stderr)
