@@ -3,11 +3,33 @@
 
 #include "Refuse.h"
 
+#include "vtkArrayDispatch.h"
+#include "vtkDataArrayRange.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace medial
 {
+namespace
+{
+/// Calls body(value) for the components of all tuples one after another.
+template <typename Body>
+void forValues(vtkDataArray* array, const Body& body)
+{
+  const auto walk = [&body](auto* values) {
+    for (const auto value : vtk::DataArrayValueRange(values))
+    {
+      body(static_cast<double>(value));
+    }
+  };
+  if (!vtkArrayDispatch::Dispatch::Execute(array, walk))
+  {
+    walk(array);
+  }
+}
+}
+
 Index toIndex(vtkIdType number, const char* things)
 {
   if (number < 0 || number >= Largest)
@@ -52,21 +74,25 @@ vtkDataArray* Arrays::find(const char* name, vtkIdType count, int components) co
   return array;
 }
 
+Index Arrays::size(const char* name) const
+{
+  return toIndex(this->find(name, AnyCount, 1)->GetNumberOfTuples(), "entries");
+}
+
 std::vector<double> Arrays::reals(
   const char* name, vtkIdType count, double lowest, int components) const
 {
   vtkDataArray* array = this->find(name, count, components);
   std::vector<double> result;
   result.reserve(array->GetNumberOfValues());
-  for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
-  {
-    const double value = array->GetComponent(i / components, static_cast<int>(i % components));
+  forValues(array, [&](double value) {
     if (!std::isfinite(value) || value < lowest)
     {
-      this->refuseValue(name, i / components, value, "finite numbers, not below ", lowest);
+      const auto place = static_cast<vtkIdType>(result.size()) / components;
+      this->refuseValue(name, place, value, "finite numbers, not below ", lowest);
     }
     result.push_back(value);
-  }
+  });
   return result;
 }
 
@@ -86,15 +112,14 @@ std::vector<Index> Arrays::indices(
   this->checkWhole(name, array);
   std::vector<Index> result;
   result.reserve(array->GetNumberOfValues());
-  for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
-  {
-    const double value = array->GetComponent(i / components, static_cast<int>(i % components));
+  forValues(array, [&](double value) {
     if (value < lowest || value >= end)
     {
-      this->refuseValue(name, i / components, value, "numbers ", lowest, " ... ", end - 1);
+      const auto place = static_cast<vtkIdType>(result.size()) / components;
+      this->refuseValue(name, place, value, "numbers ", lowest, " ... ", end - 1);
     }
     result.push_back(static_cast<Index>(value));
-  }
+  });
   return result;
 }
 

@@ -86,6 +86,9 @@ public:
 
   bool has(const char* name) const;
 
+  /// How many numbers an array has.
+  Index size(const char* name) const;
+
   /// Finite numbers >= lowest, the components of all tuples one after another.
   std::vector<double> reals(const char* name, vtkIdType count,
     double lowest = std::numeric_limits<double>::lowest(), int components = 1) const;

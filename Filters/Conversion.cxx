@@ -226,12 +226,11 @@ void addTopology(vtkFieldData* field, const MedialAxis& axis)
   addOne<vtkUnsignedCharArray>(field, names::Certificate, axis.certificate);
 }
 
-void addParts(vtkPolyData* axis, const MedialParts& parts)
+void addParts(vtkCellData* cells, vtkFieldData* field, const MedialParts& parts)
 {
   const auto ofPart = [&](auto member) {
     return [&parts, member](Index part) { return parts.parts[part].*member; };
   };
-  vtkCellData* cells = axis->GetCellData();
   const std::vector<Index>& partOfCell = parts.partOfCell;
   add<vtkIdTypeArray>(cells, names::PartId, partOfCell);
   cells->SetActiveScalars(names::PartId);
@@ -249,14 +248,14 @@ void addParts(vtkPolyData* axis, const MedialParts& parts)
   addMeasure(names::PartLambda, &MedialPart::lambda);
   addMeasure(names::PartErosionThickness, &MedialPart::erosionThickness);
   addMeasure(names::PartHausdorffDistance, &MedialPart::hausdorffDistance);
-  addOne<vtkIdTypeArray>(axis->GetFieldData(), names::NumberOfParts, count(parts.parts));
+  addOne<vtkIdTypeArray>(field, names::NumberOfParts, count(parts.parts));
   const auto suggested = tuples<vtkDoubleArray>(names::SuggestedThreshold,
     static_cast<int>(allMeasures().size()), std::array{ parts.suggestedThresholds });
   for (const MeasureTraits& traits : allMeasures())
   {
     suggested->SetComponentName(static_cast<int>(traits.measure), traits.name);
   }
-  axis->GetFieldData()->AddArray(suggested);
+  field->AddArray(suggested);
 }
 
 void addPartTable(vtkFieldData* rows, const std::vector<MedialPart>& parts)
@@ -315,26 +314,28 @@ void addContacts(const std::vector<ContactCurve>& contacts, vtkPolyData* output)
   add<vtkIdTypeArray>(output->GetFieldData(), names::ContactParts, parts.items);
 }
 
-/// Those of `cells`, numbered from `first`, that are among `chosen`.
+/// Those of `cells`, numbered from `first`, that are among `chosen`, ascending.
 vtkSmartPointer<vtkCellArray> chosenCells(
   vtkCellArray* cells, vtkIdType first, const std::vector<Index>& chosen)
 {
   auto result = vtkSmartPointer<vtkCellArray>::New();
-  for (const Index cell : chosen)
+  const auto begin = std::lower_bound(chosen.begin(), chosen.end(), first);
+  const auto end = std::lower_bound(begin, chosen.end(), first + cells->GetNumberOfCells());
+  result->AllocateEstimate(end - begin, cells->GetMaxCellSize());
+  for (auto cell = begin; cell != end; ++cell)
   {
-    if (cell >= first && cell < first + cells->GetNumberOfCells())
-    {
-      vtkIdType size = 0;
-      const vtkIdType* corners = nullptr;
-      cells->GetCellAtId(cell - first, size, corners);
-      result->InsertNextCell(size, corners);
-    }
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cells->GetCellAtId(*cell - first, size, corners);
+    result->InsertNextCell(size, corners);
   }
   return result;
 }
 
-/// All points of an axis and the `chosen` cells, ascending, with their arrays.
-void copyCells(vtkPolyData* axis, const std::vector<Index>& chosen, vtkPolyData* output)
+/// All points of an axis and the `chosen` cells, ascending, with their arrays; for those that
+/// `replaced` has too, these.
+void copyCells(
+  vtkPolyData* axis, const std::vector<Index>& chosen, vtkCellData* replaced, vtkPolyData* output)
 {
   output->SetPoints(axis->GetPoints());
   output->GetPointData()->PassData(axis->GetPointData());
@@ -343,15 +344,22 @@ void copyCells(vtkPolyData* axis, const std::vector<Index>& chosen, vtkPolyData*
   output->SetVerts(chosenCells(axis->GetVerts(), 0, chosen));
   output->SetLines(chosenCells(axis->GetLines(), firstLine, chosen));
   output->SetPolys(chosenCells(axis->GetPolys(), firstPoly, chosen));
+  vtkNew<vtkCellData> others;
+  others->ShallowCopy(axis->GetCellData());
+  for (int i = 0; i < replaced->GetNumberOfArrays(); ++i)
+  {
+    others->RemoveArray(replaced->GetArrayName(i));
+  }
   vtkCellData* cells = output->GetCellData();
   cells->CopyAllOn();
-  cells->CopyAllocate(axis->GetCellData(), static_cast<vtkIdType>(chosen.size()));
+  cells->CopyAllocate(others, static_cast<vtkIdType>(chosen.size()));
   vtkNew<vtkIdList> from, to;
   from->SetNumberOfIds(static_cast<vtkIdType>(chosen.size()));
   to->SetNumberOfIds(static_cast<vtkIdType>(chosen.size()));
   std::copy(chosen.begin(), chosen.end(), from->begin());
   std::iota(to->begin(), to->end(), 0);
-  cells->CopyData(axis->GetCellData(), from, to);
+  cells->CopyData(others, from, to);
+  cells->PassData(replaced);
 }
 
 void addHistory(vtkFieldData* rows, const std::vector<PruneRow>& history)
@@ -481,8 +489,7 @@ MedialAxis readMedialAxis(vtkPolyData* input)
   const Arrays field(input->GetFieldData(), "field", TakeMedialAxis);
   const Index pointCount = toIndex(input->GetNumberOfPoints(), "points");
   MedialAxis result;
-  result.ballOwner = field.indices(names::BallOwner, AnyCount, None, Largest);
-  const Index ballCount = count(result.ballOwner);
+  const Index ballCount = field.size(names::BallOwner);
   result.ballOwner = field.indices(names::BallOwner, ballCount, None, ballCount);
   result.ballVolumes = field.reals(names::BallVolume, ballCount, 0);
   result.poleVolumes = field.reals(names::BallPoleVolume, ballCount, 0);
@@ -492,6 +499,7 @@ MedialAxis readMedialAxis(vtkPolyData* input)
   result.erosion = points.reals(names::ErosionThickness, pointCount, 0);
   result.cells = readAxisCells(input, pointCount);
   const Index cellCount = result.cells.size();
+  result.siteViews.reserve(cellCount);
   result.polygonOfCell = cells.indices(names::PolygonId, cellCount, None, Largest);
   result.samplesOfCell = cells.indexTuples<2>(names::SiteSamples, cellCount, None, Largest);
   const std::vector<double> angles = cells.reals(names::ObjectAngle, cellCount, 0);
@@ -513,7 +521,7 @@ void write(const MedialParts& parts, vtkPolyData* axis, vtkPolyData* output, vtk
   vtkPolyData* contacts)
 {
   output->ShallowCopy(axis);
-  addParts(output, parts);
+  addParts(output->GetCellData(), output->GetFieldData(), parts);
   addPartTable(table->GetRowData(), parts.parts);
   contacts->SetPoints(axis->GetPoints());
   contacts->GetPointData()->PassData(axis->GetPointData());
@@ -641,12 +649,13 @@ std::string refusals(
 void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTable* history,
   vtkPolyData* removed)
 {
-  copyCells(axis, pruned.inputCell, output);
   output->GetFieldData()->PassData(axis->GetFieldData());
-  addParts(output, pruned.parts);
+  vtkNew<vtkCellData> own;
+  addParts(own, output->GetFieldData(), pruned.parts);
   addTopology(output->GetFieldData(), pruned.axis);
-  add<vtkUnsignedCharArray>(output->GetCellData(), names::KeepReason, pruned.parts.partOfCell,
+  add<vtkUnsignedCharArray>(own, names::KeepReason, pruned.parts.partOfCell,
     [&](Index part) { return pruned.keepReason[part]; });
+  copyCells(axis, pruned.inputCell, own, output);
   addHistory(history->GetRowData(), pruned.history);
 
   std::vector<Index> cells;
@@ -657,11 +666,13 @@ void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTabl
       cells.push_back(cell);
     }
   }
-  copyCells(axis, cells, removed);
-  add<vtkIdTypeArray>(removed->GetCellData(), names::Iteration, cells,
-    [&](Index cell) { return pruned.removedInIteration[cell]; });
-  add<vtkIdTypeArray>(removed->GetCellData(), names::PartId, cells,
-    [&](Index cell) { return pruned.removedPart[cell]; });
+  vtkNew<vtkCellData> when;
+  add<vtkIdTypeArray>(
+    when, names::Iteration, cells, [&](Index cell) { return pruned.removedInIteration[cell]; });
+  add<vtkIdTypeArray>(
+    when, names::PartId, cells, [&](Index cell) { return pruned.removedPart[cell]; });
+  when->SetActiveScalars(names::PartId);
+  copyCells(axis, cells, when, removed);
 }
 
 void checkSameBalls(const MedialAxis& axis, const PolarBalls& balls)

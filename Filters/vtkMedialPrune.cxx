@@ -9,6 +9,7 @@
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 #include "vtkTable.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <string>
@@ -44,10 +45,32 @@ struct vtkMedialPrune::vtkLists
   }
 };
 
+/// The last input, read and prepared: kept for the next threshold, until it changes.
+struct vtkMedialPrune::vtkAxis
+{
+  vtkWeakPointer<vtkPolyData> Input;
+  vtkMTimeType Time = 0;
+  std::unique_ptr<const medial::PrunableAxis> Prepared;
+
+  const medial::PrunableAxis& Of(vtkPolyData* input)
+  {
+    if (this->Input != input || this->Time != input->GetMTime())
+    {
+      this->Input = nullptr;
+      this->Prepared.reset();
+      this->Prepared = std::make_unique<medial::PrunableAxis>(medial::readMedialAxis(input));
+      this->Input = input;
+      this->Time = input->GetMTime();
+    }
+    return *this->Prepared;
+  }
+};
+
 vtkStandardNewMacro(vtkMedialPrune);
 
 vtkMedialPrune::vtkMedialPrune()
   : Lists(new vtkLists)
+  , Axis(new vtkAxis)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -222,7 +245,7 @@ int vtkMedialPrune::RequestData(
         this->SplitAtNecks ? this->NeckRatio : 0, this->VerifyTopology,
         medial::readCells(axis, lists.PartsToRemove, lists.CellsToRemove, "removed"),
         medial::readCells(axis, lists.PartsToProtect, lists.CellsToProtect, "protected") };
-      const medial::Pruned pruned = medial::prune(medial::readMedialAxis(axis), options, execution);
+      const medial::Pruned pruned = medial::prune(this->Axis->Of(axis), options, execution);
       medial::write(pruned, axis, output, history, removed);
       const std::string refusals = medial::refusals(pruned, options.cellsToRemove, axis);
       if (!refusals.empty())

@@ -2,24 +2,20 @@
 #include "AxisEdges.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 namespace medial
 {
 namespace
 {
-/// A side of a triangle (3 * triangle + side), or, numbered on from those, a dangling edge.
-struct Use
-{
-  Index first, second, where;
-};
-
-/// Calls body(use) for all of them in the order of their place.
+/// Calls body(lower corner, higher corner, place) for each side of a triangle (the place is 3 *
+/// triangle + side) and then, numbered on from those, for each dangling edge.
 template <typename Body>
 void forUses(const AxisCells& cells, const Body& body)
 {
-  Index where = 0;
-  const auto use = [&](Index a, Index b) { body(Use{ std::min(a, b), std::max(a, b), where++ }); };
+  Index place = 0;
+  const auto use = [&](Index a, Index b) { body(std::min(a, b), std::max(a, b), place++); };
   for (const Triangle& t : cells.triangles)
   {
     use(t[0], t[1]);
@@ -32,23 +28,31 @@ void forUses(const AxisCells& cells, const Body& body)
   }
 }
 
-/// All uses by first corner, second corner, place. Counted by first corner: few share one.
-std::vector<Use> sortedUses(const AxisCells& cells)
+/// The uses of the edges at each lower corner.
+struct Uses
 {
-  Index highest = None;
-  forUses(cells, [&highest](const Use& use) { highest = std::max(highest, use.first); });
-  std::vector<Index> begin(highest + 2, 0);
-  forUses(cells, [&begin](const Use& use) { ++begin[use.first + 1]; });
+  std::vector<Index> begin;       ///< of each corner, and the end
+  std::vector<std::uint64_t> all; ///< higher corner and place as one number
+};
+
+/// By lower corner, higher corner, place. Counted by lower corner: few share one.
+Uses sortedUses(const AxisCells& cells)
+{
+  Uses result;
+  std::vector<Index>& begin = result.begin;
+  forUses(cells, [&begin](Index lower, Index, Index) {
+    begin.resize(std::max<std::size_t>(begin.size(), lower + 2), 0);
+    ++begin[lower + 1];
+  });
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Use> result(begin.back());
+  result.all.resize(begin.empty() ? 0 : begin.back());
   std::vector<Index> next = begin;
-  forUses(cells, [&](const Use& use) { result[next[use.first]++] = use; });
-  const auto before = [](const Use& a, const Use& b) {
-    return a.second != b.second ? a.second < b.second : a.where < b.where;
-  };
+  forUses(cells, [&](Index lower, Index higher, Index place) {
+    result.all[next[lower]++] = static_cast<std::uint64_t>(higher) << 32 | place;
+  });
   for (std::size_t p = 1; p < begin.size(); ++p)
   {
-    std::sort(result.begin() + begin[p - 1], result.begin() + begin[p], before);
+    std::sort(result.all.begin() + begin[p - 1], result.all.begin() + begin[p]);
   }
   return result;
 }
@@ -60,35 +64,35 @@ AxisEdges axisEdges(const AxisCells& cells)
   result.ofTriangle.resize(cells.triangles.size());
   result.ofDangling.resize(cells.edges.size());
   const Index sides = 3 * count(cells.triangles);
-  const std::vector<Use> all = sortedUses(cells);
-  result.points.reserve(all.size());
-  result.triangles.offsets.reserve(all.size());
+  const Uses uses = sortedUses(cells);
+  result.points.reserve(uses.all.size());
+  result.triangles.offsets.reserve(uses.all.size());
   result.triangles.items.reserve(sides);
-  for (std::size_t i = 0; i < all.size(); ++i)
+  for (Index lower = 0; lower + 1 < count(uses.begin); ++lower)
   {
-    const Use& use = all[i];
-    if (i == 0 || use.first != all[i - 1].first || use.second != all[i - 1].second)
+    Index last = None;
+    for (Index i = uses.begin[lower]; i < uses.begin[lower + 1]; ++i)
     {
-      if (i > 0)
+      const auto higher = static_cast<Index>(uses.all[i] >> 32);
+      const auto place = static_cast<Index>(uses.all[i] & 0xffffffff);
+      if (higher != last)
       {
-        result.triangles.close();
+        result.points.push_back({ lower, higher });
+        result.triangles.offsets.push_back(count(result.triangles.items));
       }
-      result.points.push_back({ use.first, use.second });
+      last = higher;
+      const Index edge = count(result.points) - 1;
+      if (place < sides)
+      {
+        result.triangles.items.push_back(place / 3);
+        result.triangles.offsets.back() = count(result.triangles.items);
+        result.ofTriangle[place / 3][place % 3] = edge;
+      }
+      else
+      {
+        result.ofDangling[place - sides] = edge;
+      }
     }
-    const Index edge = count(result.points) - 1;
-    if (use.where < sides)
-    {
-      result.triangles.items.push_back(use.where / 3);
-      result.ofTriangle[use.where / 3][use.where % 3] = edge;
-    }
-    else
-    {
-      result.ofDangling[use.where - sides] = edge;
-    }
-  }
-  if (!all.empty())
-  {
-    result.triangles.close();
   }
   return result;
 }

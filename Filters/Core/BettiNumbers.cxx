@@ -114,6 +114,10 @@ Index pieces(const LivingCells& living, const Partition& partition)
   Index result = count(partition.dimension);
   for (Index p = 0; p < living.cellsOfPoint().size(); ++p)
   {
+    if (living.cellsAtPoint(p) < 2)
+    {
+      continue;
+    }
     Index last = None;
     for (const Index cell : living.cellsOfPoint()[p])
     {
@@ -155,10 +159,17 @@ Index eulerCharacteristic(const LivingCells& living)
 }
 }
 
-Betti bettiNumbers(const LivingCells& living, const Partition& partition)
+Betti bettiNumbers(
+  const LivingCells& living, const Partition& partition, const Execution& execution)
 {
-  const Index b0 = pieces(living, partition), b2 = closedChains(living, partition);
-  return { b0, b0 + b2 - eulerCharacteristic(living), b2 };
+  std::array<Index, 3> found{};
+  execution.forEach(3, [&](Index task) {
+    found[task] = task == 0 ? pieces(living, partition)
+      : task == 1           ? closedChains(living, partition)
+                            : eulerCharacteristic(living);
+  });
+  const auto [b0, b2, euler] = found;
+  return { b0, b0 + b2 - euler, b2 };
 }
 
 Betti bettiNumbers(const AxisCells& cells)

@@ -37,19 +37,19 @@ LivingCells::LivingCells(
   , bodyOfCell(std::move(bodies))
   , living(axisCells.size(), 1)
   , livingCount(axisCells.size())
-  , ofPoint(cellsOfPoints(axisCells))
+  , ofPoint(std::make_shared<IndexLists>(cellsOfPoints(axisCells)))
   , groups(axisCells.size())
 {
   this->atEdge.reserve(this->edges.points.size());
-  this->atPoint.reserve(this->ofPoint.size());
+  this->atPoint.reserve(this->cellsOfPoint().size());
   for (Index e = 0; e < this->edges.triangles.size(); ++e)
   {
     this->atEdge.push_back(this->edges.triangles[e].size());
     this->joinAtEdge(e);
   }
-  for (Index p = 0; p < this->ofPoint.size(); ++p)
+  for (Index p = 0; p < this->cellsOfPoint().size(); ++p)
   {
-    this->atPoint.push_back(this->ofPoint[p].size());
+    this->atPoint.push_back(this->cellsOfPoint()[p].size());
     this->joinAtPoint(p);
   }
 }
@@ -145,7 +145,7 @@ void LivingCells::joinAtPoint(Index point)
     return;
   }
   Index first = None;
-  for (const Index cell : this->ofPoint[point])
+  for (const Index cell : this->cellsOfPoint()[point])
   {
     const bool isDangling = cell >= this->cells.firstEdge() && cell < this->cells.firstTriangle();
     if (isDangling && this->living[cell])

@@ -7,6 +7,7 @@
 #include "MedialAxis.h"
 #include "Types.h"
 
+#include <memory>
 #include <vector>
 
 namespace medial
@@ -35,7 +36,7 @@ public:
   bool isContact(Index edge) const;
 
   /// For each point that had cells in the beginning those, ascending.
-  const IndexLists& cellsOfPoint() const { return this->ofPoint; }
+  const IndexLists& cellsOfPoint() const { return *this->ofPoint; }
 
   /// @param removed  whole groups
   void remove(const std::vector<Index>& removed);
@@ -58,7 +59,7 @@ private:
   std::vector<char> living;
   Index livingCount;
   std::vector<Index> atEdge, atPoint;
-  IndexLists ofPoint;
+  std::shared_ptr<const IndexLists> ofPoint; ///< copies share it
   DisjointSets groups;
   std::vector<Index> changedEdges, changedPoints; ///< may have come down to two since join()
 };

@@ -111,6 +111,7 @@ PartMeasures::PartMeasures(const MedialAxis& theAxis)
   , solidVolume(std::accumulate(theAxis.ballVolumes.begin(), theAxis.ballVolumes.end(), 0.0))
 {
   const std::vector<Point>& points = this->axis.points;
+  this->sizes.reserve(this->axis.cells.size());
   this->sizes.assign(this->axis.cells.vertices.size(), 1);
   for (const Edge& edge : this->axis.cells.edges)
   {

@@ -61,6 +61,8 @@ public:
   /// @param axis  must outlive this
   explicit PartMeasures(const MedialAxis& axis);
 
+  const MedialAxis& axis;
+
   /// For each part of a partition of the axis' cells its value, never negative.
   std::vector<double> significance(
     Measure measure, const Partition& partition, const Execution& execution = {}) const;
@@ -72,7 +74,6 @@ private:
   std::vector<double> hausdorffDistances(
     const Partition& partition, const Execution& execution) const;
 
-  const MedialAxis& axis;
   std::vector<double> sizes; ///< of each cell: area, length, 1
   double solidVolume;        ///< of all balls
 };

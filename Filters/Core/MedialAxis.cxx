@@ -141,41 +141,30 @@ std::vector<Ball> cornerBalls(const MedialAxis& axis, Index cell)
   return result;
 }
 
-MedialAxis withCells(const MedialAxis& axis, const std::vector<Index>& cells, const Betti& betti)
+MedialAxis withCells(MedialAxis axis, const std::vector<Index>& cells, const Betti& betti)
 {
-  MedialAxis result = axis;
-  result.cells = {};
-  const auto chosen = [&cells](const auto& values) {
-    std::decay_t<decltype(values)> some;
-    some.reserve(cells.size());
-    for (const Index cell : cells)
+  // In place: what stays moves down.
+  const auto keep = [&cells](auto& values, Index begin, Index end) {
+    Index next = 0;
+    for (auto cell = std::lower_bound(cells.begin(), cells.end(), begin);
+         cell != cells.end() && *cell < end; ++cell)
     {
-      some.push_back(values[cell]);
+      values[next++] = values[*cell - begin];
     }
-    return some;
+    values.resize(next);
   };
-  result.polygonOfCell = chosen(axis.polygonOfCell);
-  result.samplesOfCell = chosen(axis.samplesOfCell);
-  result.siteViews = chosen(axis.siteViews);
-  result.cellErosion = chosen(axis.cellErosion);
-  for (const Index cell : cells)
-  {
-    if (cell < axis.cells.firstEdge())
-    {
-      result.cells.vertices.push_back(axis.cells.vertices[cell]);
-    }
-    else if (cell < axis.cells.firstTriangle())
-    {
-      result.cells.edges.push_back(axis.cells.edges[cell - axis.cells.firstEdge()]);
-    }
-    else
-    {
-      result.cells.triangles.push_back(axis.cells.triangles[cell - axis.cells.firstTriangle()]);
-    }
-  }
-  result.betti = betti;
-  result.certificate = betti == result.powerShapeBetti;
-  return result;
+  const Index firstEdge = axis.cells.firstEdge(), firstTriangle = axis.cells.firstTriangle();
+  const Index end = axis.cells.size();
+  keep(axis.polygonOfCell, 0, end);
+  keep(axis.samplesOfCell, 0, end);
+  keep(axis.siteViews, 0, end);
+  keep(axis.cellErosion, 0, end);
+  keep(axis.cells.vertices, 0, firstEdge);
+  keep(axis.cells.edges, firstEdge, firstTriangle);
+  keep(axis.cells.triangles, firstTriangle, end);
+  axis.betti = betti;
+  axis.certificate = betti == axis.powerShapeBetti;
+  return axis;
 }
 
 MedialAxis medialAxis(

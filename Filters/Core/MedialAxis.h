@@ -97,7 +97,7 @@ MedialAxis medialAxis(
 
 /// The axis with some of its cells, given in ascending order, alone; all points stay.
 /// @param betti  of these cells; the certificate follows
-MedialAxis withCells(const MedialAxis& axis, const std::vector<Index>& cells, const Betti& betti);
+MedialAxis withCells(MedialAxis axis, const std::vector<Index>& cells, const Betti& betti);
 
 /// The maximal balls at the corners of a cell.
 std::vector<Ball> cornerBalls(const MedialAxis& axis, Index cell);

@@ -2,7 +2,6 @@
 #include "MedialParts.h"
 
 #include "AxisEdges.h"
-#include "Measures.h"
 #include "Partition.h"
 #include "Thresholds.h"
 #include "TopologyGraph.h"
@@ -162,10 +161,10 @@ void addVolumes(const MedialAxis& axis, MedialParts& result)
   }
 }
 
-void addMeasures(const MedialAxis& axis, const Partition& partition, const Execution& execution,
+/// @param significances  for each measure by its number
+void addMeasures(const Partition& partition, const std::vector<std::vector<double>>& significances,
   MedialParts& result)
 {
-  const PartMeasures measures(axis);
   const std::map<Measure, double MedialPart::*> members{
     { Measure::PoleVolume, &MedialPart::poleVolume },
     { Measure::ObjectAngle, &MedialPart::objectAngle },
@@ -175,7 +174,7 @@ void addMeasures(const MedialAxis& axis, const Partition& partition, const Execu
   };
   for (const MeasureTraits& traits : allMeasures())
   {
-    const std::vector<double> values = measures.significance(traits.measure, partition, execution);
+    const std::vector<double>& values = significances[static_cast<int>(traits.measure)];
     const auto member = members.find(traits.measure);
     std::vector<RankedPart> ranked;
     for (std::size_t part = 0; part < values.size(); ++part)
@@ -395,21 +394,40 @@ MedialParts decompose(
 {
   const AxisEdges edges = axisEdges(axis.cells);
   LivingCells living(axis.cells, edges, bodies.ofCell);
-  const Partition groups = partition(living, maximumLevel);
+  return decompose(living, partition(living, maximumLevel), PartMeasures(axis), execution, bodies);
+}
+
+MedialParts decompose(const LivingCells& living, const Partition& partition,
+  const PartMeasures& measures, const Execution& execution, const Bodies& bodies)
+{
   execution.report(0.5);
   MedialParts result;
-  result.partOfCell = groups.partOfCell;
-  result.parts.resize(groups.dimension.size());
-  execution.forEach(
-    count(result.parts), [&](Index part) { result.parts[part] = measured(axis, groups, part); });
-  for (Index part = 0; part < groups.cells.size(); ++part)
-  {
-    const Index body = bodies.ofCell.empty() ? None : bodies.ofCell[groups.cells[part][0]];
-    result.parts[part].neckRatio = body == None ? 1 : bodies.neckRatio[body];
-  }
-  addVolumes(axis, result);
-  addMeasures(axis, groups, execution, result);
-  result.contacts = contacts(living, groups);
+  result.partOfCell = partition.partOfCell;
+  result.parts.resize(partition.dimension.size());
+  std::vector<std::vector<double>> significances(allMeasures().size());
+  // All at once, the longest first.
+  const Index partCount = count(result.parts), measureCount = count(significances);
+  execution.forEach(1 + measureCount + partCount, [&](Index task) {
+    if (task == 0)
+    {
+      result.contacts = contacts(living, partition);
+    }
+    else if (task <= measureCount)
+    {
+      const MeasureTraits& traits = allMeasures()[measureCount - task];
+      significances[measureCount - task] =
+        measures.significance(traits.measure, partition, execution);
+    }
+    else
+    {
+      const Index part = task - measureCount - 1;
+      const Index body = bodies.ofCell.empty() ? None : bodies.ofCell[partition.cells[part][0]];
+      result.parts[part] = measured(measures.axis, partition, part);
+      result.parts[part].neckRatio = body == None ? 1 : bodies.neckRatio[body];
+    }
+  });
+  addVolumes(measures.axis, result);
+  addMeasures(partition, significances, result);
   addContacts(result);
   execution.report(1);
   return result;

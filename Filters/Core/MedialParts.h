@@ -4,6 +4,7 @@
 
 #include "Execution.h"
 #include "LivingCells.h"
+#include "Measures.h"
 #include "MedialAxis.h"
 #include "Necks.h"
 #include "Partition.h"
@@ -61,6 +62,12 @@ struct MedialParts
 /// @param bodies        of the axis, that no part crosses; none: no such bounds
 MedialParts decompose(const MedialAxis& axis, int maximumLevel = 0, const Execution& execution = {},
   const Bodies& bodies = {});
+
+/// The same of the living cells of an axis alone; the others are in no part.
+/// @param partition  of these cells
+/// @param measures   of this axis
+MedialParts decompose(const LivingCells& living, const Partition& partition,
+  const PartMeasures& measures, const Execution& execution = {}, const Bodies& bodies = {});
 
 /// The contact curves and points of the living parts, see MedialParts.
 std::vector<ContactCurve> contacts(const LivingCells& living, const Partition& partition);

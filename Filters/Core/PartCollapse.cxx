@@ -7,12 +7,8 @@ namespace medial
 {
 PartCollapse::PartCollapse(const LivingCells& livingCells)
   : living(livingCells)
-  , triangles(livingCells.edges.points.size(), 0)
-  , triangleNumbers(livingCells.edges.points.size(), 0)
-  , edges(livingCells.cellsOfPoint().size(), 0)
-  , edgeNumbers(livingCells.cellsOfPoint().size(), 0)
-  , edgeStates(livingCells.edges.points.size(), State::NotHere)
-  , pointStates(livingCells.cellsOfPoint().size(), State::NotHere)
+  , edges(livingCells.edges.points.size())
+  , points(livingCells.cellsOfPoint().size())
 {
 }
 
@@ -23,38 +19,41 @@ void PartCollapse::enter(const std::vector<Index>& unit)
   {
     const bool isTriangle = c >= cells.firstTriangle();
     const auto onEdge = [&](Index e) {
-      if (this->edgeStates[e] == State::NotHere)
+      Face& edge = this->edges[e];
+      if (edge.state == State::NotHere)
       {
-        this->edgeStates[e] = State::Free;
+        edge.state = State::Free;
         this->ownEdges.push_back(e);
       }
-      this->triangles[e] += isTriangle;
-      this->triangleNumbers[e] ^= isTriangle ? c - cells.firstTriangle() : 0;
+      if (isTriangle)
+      {
+        edge.add(c - cells.firstTriangle());
+      }
     };
     const auto onPoint = [&](Index p) {
-      if (this->pointStates[p] == State::NotHere)
+      Face& point = this->points[p];
+      if (point.state == State::NotHere)
       {
-        this->pointStates[p] = State::Free;
+        point.state = State::Free;
         this->ownPoints.push_back(p);
       }
-      ++this->edges[p]; // cells, for a start
+      ++point.count; // cells, for a start
     };
     forFaces(cells, this->living.edges, c, onEdge, onPoint);
   }
   for (const Index p : this->ownPoints)
   {
-    const bool shared = this->living.cellsAtPoint(p) > this->edges[p];
-    this->pointStates[p] = shared ? State::Fixed : State::Free;
-    this->edges[p] = 0;
+    Face& point = this->points[p];
+    point.state = this->living.cellsAtPoint(p) > point.count ? State::Fixed : State::Free;
+    point.count = 0;
   }
   for (const Index e : this->ownEdges)
   {
-    const bool shared = this->living.trianglesAtEdge(e) > this->triangles[e];
-    this->edgeStates[e] = shared ? State::Fixed : State::Free;
+    Face& edge = this->edges[e];
+    edge.state = this->living.trianglesAtEdge(e) > edge.count ? State::Fixed : State::Free;
     for (const Index p : this->living.edges.points[e])
     {
-      ++this->edges[p];
-      this->edgeNumbers[p] ^= e;
+      this->points[p].add(e);
     }
   }
 }
@@ -63,13 +62,11 @@ void PartCollapse::leave()
 {
   for (const Index e : this->ownEdges)
   {
-    this->edgeStates[e] = State::NotHere;
-    this->triangles[e] = this->triangleNumbers[e] = 0;
+    this->edges[e] = {};
   }
   for (const Index p : this->ownPoints)
   {
-    this->pointStates[p] = State::NotHere;
-    this->edges[p] = this->edgeNumbers[p] = 0;
+    this->points[p] = {};
   }
   this->ownEdges.clear();
   this->ownPoints.clear();
@@ -78,16 +75,15 @@ void PartCollapse::leave()
 bool PartCollapse::hasContact() const
 {
   return std::any_of(this->ownPoints.begin(), this->ownPoints.end(),
-    [this](Index p) { return this->pointStates[p] == State::Fixed; });
+    [this](Index p) { return this->points[p].state == State::Fixed; });
 }
 
 void PartCollapse::takeFromPoints(Index edge)
 {
-  this->edgeStates[edge] = State::Gone;
+  this->edges[edge].state = State::Gone;
   for (const Index p : this->living.edges.points[edge])
   {
-    --this->edges[p];
-    this->edgeNumbers[p] ^= edge;
+    this->points[p].take(edge);
   }
 }
 
@@ -95,7 +91,7 @@ bool PartCollapse::collapseTriangles(Index left)
 {
   std::vector<Index> todo;
   const auto offer = [&](Index e) {
-    if (this->triangles[e] == 1 && this->edgeStates[e] == State::Free)
+    if (this->edges[e].count == 1 && this->edges[e].state == State::Free)
     {
       todo.push_back(e);
     }
@@ -105,17 +101,16 @@ bool PartCollapse::collapseTriangles(Index left)
   {
     const Index edge = todo.back();
     todo.pop_back();
-    if (this->triangles[edge] != 1)
+    if (this->edges[edge].count != 1)
     {
       continue; // its last triangle went through another edge
     }
-    const Index triangle = this->triangleNumbers[edge];
+    const Index triangle = this->edges[edge].numbers;
     --left;
     this->takeFromPoints(edge);
     for (const Index e : this->living.edges.ofTriangle[triangle])
     {
-      --this->triangles[e];
-      this->triangleNumbers[e] ^= triangle;
+      this->edges[e].take(triangle);
       offer(e);
     }
   }
@@ -126,7 +121,7 @@ bool PartCollapse::collapseEdges()
 {
   std::vector<Index> todo;
   const auto offer = [&](Index p) {
-    if (this->edges[p] == 1 && this->pointStates[p] == State::Free)
+    if (this->points[p].count == 1 && this->points[p].state == State::Free)
     {
       todo.push_back(p);
     }
@@ -136,20 +131,20 @@ bool PartCollapse::collapseEdges()
   {
     const Index point = todo.back();
     todo.pop_back();
-    if (this->edges[point] != 1)
+    if (this->points[point].count != 1)
     {
       continue;
     }
-    const Index edge = this->edgeNumbers[point];
-    this->pointStates[point] = State::Gone;
+    const Index edge = this->points[point].numbers;
+    this->points[point].state = State::Gone;
     this->takeFromPoints(edge);
     const Edge& ends = this->living.edges.points[edge];
     std::for_each(ends.begin(), ends.end(), offer);
   }
   return std::none_of(this->ownEdges.begin(), this->ownEdges.end(),
-           [this](Index e) { return this->edgeStates[e] == State::Free; }) &&
+           [this](Index e) { return this->edges[e].state == State::Free; }) &&
     std::none_of(this->ownPoints.begin(), this->ownPoints.end(),
-      [this](Index p) { return this->pointStates[p] == State::Free; });
+      [this](Index p) { return this->points[p].state == State::Free; });
 }
 
 PartCollapse::Effect PartCollapse::effectOfRemoving(const std::vector<Index>& unit)

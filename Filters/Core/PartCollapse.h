@@ -38,6 +38,18 @@ private:
     Gone   ///< collapsed
   };
 
+  /// An edge or a point, with what is left of the unit there: how many, and their numbers added without
+  /// carry. Where one is left, that is its number.
+  struct Face
+  {
+    Index count = 0;
+    Index numbers = 0;
+    State state = State::NotHere;
+
+    void add(Index number) { ++this->count, this->numbers ^= number; }
+    void take(Index number) { --this->count, this->numbers ^= number; }
+  };
+
   void enter(const std::vector<Index>& unit);
   void leave();
   bool hasContact() const;
@@ -46,10 +58,8 @@ private:
   void takeFromPoints(Index edge);
 
   const LivingCells& living;
-  // Of each edge: the triangles of the unit left there. Of each point: the edges of the unit left
-  // there. How many, and their numbers added without carry: where one is left, that is its number.
-  std::vector<Index> triangles, triangleNumbers, edges, edgeNumbers;
-  std::vector<State> edgeStates, pointStates;
+  std::vector<Face> edges;                ///< with the triangles of the unit
+  std::vector<Face> points;               ///< with the edges of the unit
   std::vector<Index> ownEdges, ownPoints; ///< those of the unit
 };
 }

@@ -9,34 +9,15 @@ namespace medial
 {
 namespace
 {
-/// Sorts the living cells by their part; the order within a part stays.
-IndexLists cellsOfParts(const std::vector<Index>& partOfCell, Index partCount)
-{
-  IndexLists result;
-  result.offsets.assign(partCount + 1, 0);
-  for (const Index part : partOfCell)
-  {
-    result.offsets[part + 1] += part != None; // without a part: adds nothing to the first
-  }
-  std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
-  result.items.resize(result.offsets.back());
-  std::vector<Index> next = result.offsets;
-  for (Index c = 0; c < count(partOfCell); ++c)
-  {
-    if (partOfCell[c] != None)
-    {
-      result.items[next[partOfCell[c]]++] = c;
-    }
-  }
-  return result;
-}
-
+/// Numbers the parts, and counts their cells.
 void numberParts(LivingCells& living, Partition& result)
 {
   const AxisCells& cells = living.cells;
-  result.partOfCell.assign(cells.size(), None);
-  const auto number = [&](Index begin, Index end, int dimension) {
-    for (Index c = begin; c < end; ++c)
+  std::vector<Index>& partOfCell = result.partOfCell;
+  std::vector<Index>& begin = result.cells.offsets;
+  partOfCell.assign(cells.size(), None);
+  const auto number = [&](Index from, Index to, int dimension) {
+    for (Index c = from; c < to; ++c)
     {
       if (!living.isLiving(c))
       {
@@ -45,16 +26,32 @@ void numberParts(LivingCells& living, Partition& result)
       const Index first = living.groupOf(c);
       if (first == c)
       {
-        result.partOfCell[c] = count(result.dimension);
+        partOfCell[c] = count(result.dimension);
         result.dimension.push_back(dimension);
+        begin.push_back(0);
       }
-      result.partOfCell[c] = result.partOfCell[first];
+      partOfCell[c] = partOfCell[first];
+      ++begin[partOfCell[c] + 1];
     }
   };
   number(cells.firstTriangle(), cells.size(), 2);
   number(cells.firstEdge(), cells.firstTriangle(), 1);
   number(0, cells.firstEdge(), 0);
-  result.cells = cellsOfParts(result.partOfCell, count(result.dimension));
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+}
+
+/// Sorts the living cells by their part; the order within a part stays.
+void sortCells(Partition& result)
+{
+  result.cells.items.resize(result.cells.offsets.back());
+  std::vector<Index> next = result.cells.offsets;
+  for (Index c = 0; c < count(result.partOfCell); ++c)
+  {
+    if (result.partOfCell[c] != None)
+    {
+      result.cells.items[next[result.partOfCell[c]]++] = c;
+    }
+  }
 }
 
 /// Parts with an edge of one triangle, or a chain's free end; and vertices.
@@ -161,6 +158,7 @@ Partition partition(LivingCells& living, int maximumLevel)
   living.join();
   Partition result;
   numberParts(living, result);
+  sortCells(result);
   findLevels(living, maximumLevel, result);
   return result;
 }
@@ -183,31 +181,33 @@ PartsAtPoints partsAtPoints(
       }
     }
   };
+  constexpr Index mixed = None - 1;
   PartsAtPoints result;
   result.only.assign(pointCount, None);
   result.cells.assign(pointCount, 0);
-  std::vector<char> isMixed(pointCount, 0);
   forCorners([&](Index p, Index part) {
-    isMixed[p] |= result.cells[p] > 0 && result.only[p] != part;
-    result.only[p] = part;
-    ++result.cells[p];
+    Index& only = result.only[p];
+    only = result.cells[p]++ == 0 || only == part ? part : mixed;
   });
+  result.several.offsets.reserve(pointCount + 1);
+  Index size = 0;
   for (Index p = 0; p < pointCount; ++p)
   {
-    result.only[p] = isMixed[p] ? None : result.only[p];
-    result.several.items.resize(result.several.items.size() + (isMixed[p] ? result.cells[p] : 0));
-    result.several.close();
+    size += result.only[p] == mixed ? result.cells[p] : 0;
+    result.several.offsets.push_back(size);
   }
   std::vector<Index>& items = result.several.items;
+  items.resize(size);
   std::vector<Index> next = result.several.offsets;
   forCorners([&](Index p, Index part) {
-    if (isMixed[p])
+    if (result.only[p] == mixed)
     {
       items[next[p]++] = part;
     }
   });
   for (Index p = 0; p < pointCount; ++p)
   {
+    result.only[p] = std::max(result.only[p], None);
     std::sort(items.begin() + result.several.offsets[p], items.begin() + next[p]);
   }
   return result;

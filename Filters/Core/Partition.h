@@ -2,6 +2,7 @@
 #ifndef medial_Partition_h
 #define medial_Partition_h
 
+#include "Execution.h"
 #include "LivingCells.h"
 #include "MedialAxis.h"
 #include "Types.h"
@@ -28,7 +29,8 @@ Partition partition(const AxisCells& cells, const AxisEdges& edges, int maximumL
 
 /// Betti numbers of the living cells and their faces. Exact, over Z/2.
 /// @param partition  of these cells, to level 1 or more
-Betti bettiNumbers(const LivingCells& living, const Partition& partition);
+Betti bettiNumbers(
+  const LivingCells& living, const Partition& partition, const Execution& execution = {});
 
 /// The parts of the living cells at each point.
 struct PartsAtPoints

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -53,7 +55,7 @@ void requireValid(const MedialAxis& axis, const PruneOptions& options)
 /// The parts as one pass finds them, with what decides about them.
 struct Round
 {
-  Partition partition;
+  std::shared_ptr<const Partition> partition;
   std::vector<double> significance;
   Measure measure;
   std::vector<char> gone;
@@ -70,6 +72,10 @@ std::vector<char> wholePieces(const LivingCells& living, const Partition& partit
   std::vector<char> result(partition.dimension.size(), 1);
   for (Index p = 0; p < living.cellsOfPoint().size(); ++p)
   {
+    if (living.cellsAtPoint(p) < 2)
+    {
+      continue;
+    }
     Index last = None;
     for (const Index cell : living.cellsOfPoint()[p])
     {
@@ -100,25 +106,27 @@ void countRefusal(KeepReason reason, PruneRow& row)
 class Pruner
 {
 public:
-  Pruner(const MedialAxis& input, const PruneOptions& settings, const Execution& how)
-    : axis(input)
+  Pruner(const PrunableAxis& input, const PruneOptions& settings, const Execution& how)
+    : axis(input.axis)
     , options(settings)
     , execution(how)
-    , edges(axisEdges(input.cells))
-    , limbs(settings.neckRatio > 0 ? bodies(input, this->edges, settings.neckRatio) : Bodies{})
-    , living(input.cells, this->edges, this->limbs.ofCell)
+    , limbs(settings.neckRatio > 0 ? bodies(input.axis, input.edges, settings.neckRatio) : Bodies{})
+    , living(this->limbs.ofCell.empty()
+          ? input.living
+          : LivingCells(input.axis.cells, input.edges, this->limbs.ofCell))
     , collapse(this->living)
-    , measures(input)
-    , totalVolume(std::accumulate(input.ballVolumes.begin(), input.ballVolumes.end(), 0.0))
-    , visitedIn(input.points.size(), 0)
-    , metIn(input.cells.size(), 0)
-    , inherited(input.cells.size(), 0)
+    , measures(input.measures)
+    , totalVolume(
+        std::accumulate(this->axis.ballVolumes.begin(), this->axis.ballVolumes.end(), 0.0))
+    , visitedIn(this->axis.points.size(), 0)
+    , metIn(this->axis.cells.size(), 0)
   {
-    this->result.removedInIteration.assign(input.cells.size(), None);
-    this->result.removedPart.assign(input.cells.size(), None);
+    this->volume = this->livingVolume();
+    this->result.removedInIteration.assign(this->axis.cells.size(), None);
+    this->result.removedPart.assign(this->axis.cells.size(), None);
     if (this->options.verifyTopology)
     {
-      this->verified = bettiNumbers(input.cells);
+      this->verified = bettiNumbers(this->axis.cells);
     }
   }
 
@@ -142,10 +150,18 @@ public:
       this->removeByHand();
     }
     this->execution.report(0.9);
+    this->current = std::make_shared<Partition>(partition(this->living)); // to all levels
     const Round round = this->newRound(last ? last->measure : Measure::TriangleCount);
-    this->result.axis = this->livingAxis(bettiNumbers(this->living, round.partition));
-    this->result.parts = decompose(this->result.axis, 0, {}, this->livingBodies());
+    this->result.parts = decompose(
+      this->living, *round.partition, this->measures, this->execution.part(0.9, 1), this->limbs);
+    std::vector<Index>& partOfCell = this->result.parts.partOfCell;
+    partOfCell.erase(std::remove(partOfCell.begin(), partOfCell.end(), None), partOfCell.end());
     this->explain(round, last);
+    const Betti betti = this->result.history.empty()
+      ? bettiNumbers(this->living, *round.partition, this->execution)
+      : this->result.history.back().betti;
+    this->result.inputCell = this->livingCells();
+    this->result.axis = withCells(this->axis, this->result.inputCell, betti);
     return std::move(this->result);
   }
 
@@ -199,12 +215,12 @@ private:
   /// The relative volume up to which parts may go now; 0: none.
   double suggestedVolume()
   {
-    std::fill(this->inherited.begin(), this->inherited.end(), 0);
+    this->inherited.clear();
     const Round round = this->newRound(Measure::RelativeVolume);
     std::vector<RankedPart> parts;
     for (Index part = 0; part < count(round.significance); ++part)
     {
-      if (round.partition.level[part] == 1)
+      if (round.partition->level[part] == 1)
       {
         parts.push_back({ round.significance[part], round.significance[part] });
       }
@@ -219,7 +235,7 @@ private:
 
   void iterate(const PruneIteration& iteration)
   {
-    std::fill(this->inherited.begin(), this->inherited.end(), 0);
+    this->inherited.clear();
     this->countsTogether = this->options.topology != Topology::None && iteration.passes != 1;
     Round round = this->newRound(iteration.measure);
     PruneRow row = this->newRow(round);
@@ -253,7 +269,7 @@ private:
     std::vector<Index> result;
     for (Index part = 0; part < count(round.significance); ++part)
     {
-      if (round.partition.level[part] == 1 && round.partition.dimension[part] <= dimension &&
+      if (round.partition->level[part] == 1 && round.partition->dimension[part] <= dimension &&
         round.significance[part] <= iteration.threshold)
       {
         result.push_back(part);
@@ -305,7 +321,7 @@ private:
     std::vector<Index> cells;
     for (const Index part : parts)
     {
-      const IndexLists::View own = round.partition.cells[part];
+      const IndexLists::View own = round.partition->cells[part];
       cells.insert(cells.end(), own.begin(), own.end());
     }
     return cells;
@@ -358,7 +374,7 @@ private:
     for (const Index cell : cells)
     {
       this->result.removedInIteration[cell] = count(this->result.history);
-      this->result.removedPart[cell] = round.partition.partOfCell[cell];
+      this->result.removedPart[cell] = round.partition->partOfCell[cell];
     }
     for (const Index part : parts)
     {
@@ -378,7 +394,7 @@ private:
   /// Compares the Betti numbers, computed from the living cells alone, with those before.
   void verify(PruneRow& row)
   {
-    const Betti now = bettiNumbers(this->livingAxis({}).cells);
+    const Betti now = bettiNumbers(withCells(this->axis, this->livingCells(), {}).cells);
     if (now != this->verified && this->options.topology == Topology::Collapse)
     {
       throw std::logic_error(
@@ -410,7 +426,7 @@ private:
     }
     if (heir != None)
     {
-      double& kept = this->inherited[round.partition.cells[heir][0]];
+      double& kept = this->inherited[round.partition->cells[heir][0]];
       round.significance[heir] = together(round.measure, round.significance[heir], sum);
       kept = together(round.measure, kept, sum);
     }
@@ -479,27 +495,27 @@ private:
     round.measure = measure;
     if (!this->current)
     {
-      this->current = partition(this->living, 1);
+      this->current = std::make_shared<Partition>(partition(this->living, 1));
     }
-    round.partition = *this->current;
-    round.gone.assign(round.partition.dimension.size(), 0);
-    round.significance = this->measures.significance(measure, round.partition, this->execution);
-    for (Index cell = 0; cell < count(this->inherited); ++cell)
+    round.partition = this->current;
+    round.gone.assign(round.partition->dimension.size(), 0);
+    round.significance = this->measures.significance(measure, *round.partition, this->execution);
+    for (const auto& [cell, amount] : this->inherited)
     {
-      if (round.partition.partOfCell[cell] != None && this->inherited[cell] > 0)
+      if (this->living.isLiving(cell))
       {
-        double& value = round.significance[round.partition.partOfCell[cell]];
-        value = together(measure, value, this->inherited[cell]);
+        double& value = round.significance[round.partition->partOfCell[cell]];
+        value = together(measure, value, amount);
       }
     }
     round.isProtected.assign(round.gone.size(), 0);
     for (const Index cell : this->options.cellsToProtect)
     {
-      round.isProtected[round.partition.partOfCell[cell]] = 1;
+      round.isProtected[round.partition->partOfCell[cell]] = 1;
     }
     if (this->options.topology == Topology::PaperGraph)
     {
-      round.contacts = contacts(this->living, round.partition);
+      round.contacts = contacts(this->living, *round.partition);
       const auto isPoint = [](const ContactCurve& contact) { return contact.points.size() == 1; };
       round.contacts.erase(std::remove_if(round.contacts.begin(), round.contacts.end(), isPoint),
         round.contacts.end());
@@ -519,7 +535,7 @@ private:
     const auto visit = [&](Index p) {
       for (const Index other : this->living.cellsOfPoint()[p])
       {
-        const Index neighbor = round.partition.partOfCell[other];
+        const Index neighbor = round.partition->partOfCell[other];
         if (neighbor != None && neighbor != part && this->metIn[neighbor] != this->walks)
         {
           this->metIn[neighbor] = this->walks;
@@ -527,7 +543,7 @@ private:
         }
       }
     };
-    for (const Index cell : round.partition.cells[part])
+    for (const Index cell : round.partition->cells[part])
     {
       forPoints(this->axis.cells, cell, [&](Index p) {
         if (this->visitedIn[p] != this->walks)
@@ -544,7 +560,7 @@ private:
   /// The named parts that may go, each when it may; those that are left, together.
   void removeByHand()
   {
-    std::fill(this->inherited.begin(), this->inherited.end(), 0);
+    this->inherited.clear();
     this->countsTogether = false;
     Round round = this->newRound(Measure::TriangleCount);
     PruneRow row = this->newRow(round);
@@ -586,7 +602,7 @@ private:
       this->result.fates.push_back(isLiving ? CellFate::Removed : CellFate::AlreadyGone);
       if (isLiving)
       {
-        named.push_back(round.partition.partOfCell[cell]);
+        named.push_back(round.partition->partOfCell[cell]);
       }
     }
     std::sort(named.begin(), named.end());
@@ -614,7 +630,7 @@ private:
       const Index cell = this->options.cellsToRemove[i];
       if (this->living.isLiving(cell))
       {
-        this->result.fates[i] = fateOfPart[round.partition.partOfCell[cell]];
+        this->result.fates[i] = fateOfPart[round.partition->partOfCell[cell]];
       }
     }
   }
@@ -622,17 +638,20 @@ private:
   PruneRow newRow(const Round& round) const
   {
     PruneRow row{};
-    row.partsBefore = count(round.partition.dimension);
-    row.volumeRemoved = this->livingVolume();
+    row.partsBefore = count(round.partition->dimension);
     row.topologyChanges = this->options.verifyTopology ? 0 : None;
     return row;
   }
 
   void finish(PruneRow& row, const Round& round)
   {
-    row.partsAfter = count(round.partition.dimension);
-    row.volumeRemoved -= this->livingVolume();
-    row.betti = bettiNumbers(this->living, round.partition);
+    row.partsAfter = count(round.partition->dimension);
+    const double before = this->volume;
+    this->volume = this->livingVolume();
+    row.volumeRemoved = before - this->volume;
+    row.betti = row.removed == 0 && !this->result.history.empty()
+      ? this->result.history.back().betti
+      : bettiNumbers(this->living, *round.partition, this->execution);
     this->result.history.push_back(row);
   }
 
@@ -657,28 +676,15 @@ private:
     return this->totalVolume > 0 ? sum / this->totalVolume : 0;
   }
 
-  /// The axis with the living cells alone; fills inputCell.
-  MedialAxis livingAxis(const Betti& betti)
+  std::vector<Index> livingCells() const
   {
-    this->result.inputCell.clear();
+    std::vector<Index> result;
+    result.reserve(this->living.size());
     for (Index c = 0; c < this->axis.cells.size(); ++c)
     {
       if (this->living.isLiving(c))
       {
-        this->result.inputCell.push_back(c);
-      }
-    }
-    return withCells(this->axis, this->result.inputCell, betti);
-  }
-
-  Bodies livingBodies() const
-  {
-    Bodies result{ {}, this->limbs.neckRatio };
-    for (const Index cell : this->result.inputCell)
-    {
-      if (!this->limbs.ofCell.empty())
-      {
-        result.ofCell.push_back(this->limbs.ofCell[cell]);
+        result.push_back(c);
       }
     }
     return result;
@@ -687,7 +693,7 @@ private:
   /// Fills keepReason from the last iteration's point of view.
   void explain(const Round& round, const std::optional<PruneIteration>& last)
   {
-    const std::vector<char> isWhole = wholePieces(this->living, round.partition);
+    const std::vector<char> isWhole = wholePieces(this->living, *round.partition);
     for (Index part = 0; part < count(round.significance); ++part)
     {
       KeepReason reason = KeepReason::Topology;
@@ -699,7 +705,7 @@ private:
       {
         reason = KeepReason::Isolated;
       }
-      else if (round.partition.level[part] != 1)
+      else if (round.partition->level[part] != 1)
       {
         reason = KeepReason::InnerLevel;
       }
@@ -713,7 +719,7 @@ private:
     {
       if (this->result.fates[i] == CellFate::Topology)
       {
-        const Index part = round.partition.partOfCell[this->options.cellsToRemove[i]];
+        const Index part = round.partition->partOfCell[this->options.cellsToRemove[i]];
         this->result.keepReason[part] = KeepReason::Topology;
       }
     }
@@ -725,28 +731,41 @@ private:
   const MedialAxis& axis;
   const PruneOptions& options;
   const Execution& execution;
-  AxisEdges edges;
   Bodies limbs;
   LivingCells living;
   PartCollapse collapse;
-  PartMeasures measures;
-  std::optional<Partition> current; ///< of the living cells, until something goes
+  const PartMeasures& measures;
+  std::shared_ptr<const Partition> current; ///< of the living cells, until something goes
   double totalVolume;
+  double volume;                ///< of the living cells, relative
   Betti verified{};             ///< the last Betti numbers, where every removal is verified
   bool countsTogether = false;  ///< what one part loses after the other
   std::vector<Index> visitedIn; ///< for each point the last of the walks that came there
   std::vector<Index> metIn;     ///< for each part the last of the walks that met it
   Index walks = 0;
-  std::vector<double> inherited; ///< by cell, in the measure of the iteration
+  std::map<Index, double> inherited; ///< by cell, in the measure of the iteration
   Pruned result;
 };
 }
 
-Pruned prune(const MedialAxis& axis, const PruneOptions& options, const Execution& execution)
+PrunableAxis::PrunableAxis(MedialAxis theAxis)
+  : axis(std::move(theAxis))
+  , edges(axisEdges(this->axis.cells))
+  , living(this->axis.cells, this->edges)
+  , measures(this->axis)
 {
-  requireValid(axis, options);
-  Pruned result = Pruner(axis, options, execution).run();
+}
+
+Pruned prune(const PrunableAxis& input, const PruneOptions& options, const Execution& execution)
+{
+  requireValid(input.axis, options);
+  Pruned result = Pruner(input, options, execution).run();
   execution.report(1);
   return result;
+}
+
+Pruned prune(const MedialAxis& axis, const PruneOptions& options, const Execution& execution)
+{
+  return prune(PrunableAxis(axis), options, execution);
 }
 }

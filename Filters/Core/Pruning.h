@@ -2,7 +2,9 @@
 #ifndef medial_Pruning_h
 #define medial_Pruning_h
 
+#include "AxisEdges.h"
 #include "Execution.h"
+#include "LivingCells.h"
 #include "Measures.h"
 #include "MedialAxis.h"
 #include "MedialParts.h"
@@ -35,6 +37,20 @@ struct PruneIteration
   Measure measure = Measure::TriangleCount;
   double threshold = 5; ///< parts with at most this significance go
   int passes = 0;       ///< how often to repeat; 0: until nothing changes (the paper: 1)
+};
+
+/// An axis with what pruning needs of it under any options: made once, for many thresholds.
+class PrunableAxis
+{
+public:
+  explicit PrunableAxis(MedialAxis theAxis);
+  PrunableAxis(const PrunableAxis&) = delete; // its members refer to each other
+  PrunableAxis& operator=(const PrunableAxis&) = delete;
+
+  const MedialAxis axis;
+  const AxisEdges edges;
+  const LivingCells living; ///< all
+  const PartMeasures measures;
 };
 
 struct PruneOptions
@@ -120,6 +136,10 @@ struct Pruned
 ///
 /// @throw InvalidInput  a threshold that is not a number or negative; a cell that isn't there
 /// @throw std::logic_error  verifyTopology found a change with Topology::Collapse: a bug of ours
+Pruned prune(
+  const PrunableAxis& input, const PruneOptions& options, const Execution& execution = {});
+
+/// The same, for once.
 Pruned prune(const MedialAxis& axis, const PruneOptions& options, const Execution& execution = {});
 }
 
