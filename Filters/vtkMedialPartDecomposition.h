@@ -34,9 +34,9 @@
  *    what it was cut off; else 1.
  *  - `OnLoop` (unsigned char): 1 where the part joins contacts that hang together without it, as in
  *    output 3. A loop within a single part, such as that of a torus, doesn't show here.
- *  - `Area`, `Volume`, `RelativeVolume` (they sum to 1), `MeanRadius`, `MinimumRadius`, `MaximumRadius`
- *    (over its points), `PoleVolume`, `ObjectAngle`, `Lambda`, `ErosionThickness`, `HausdorffDistance`
- *    (double): the measures as above.
+ *  - `Area`, `Volume`, `RelativeVolume` (they sum to 1; to 0 where pruning has left no ball),
+ *    `MeanRadius`, `MinimumRadius`, `MaximumRadius` (over its points), `PoleVolume`, `ObjectAngle`,
+ *    `Lambda`, `ErosionThickness`, `HausdorffDistance` (double): the measures as above.
  *  - `Bounds` (double, 6 components): x, y, z from, to each.
  *  - `Centroid` (double, 3 components): of its triangles by area, of its lines by length.
  *  - `PrincipalLengths` (double, 3 components): the sides, descending, of the box with the same second
