@@ -16,6 +16,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <unordered_map>
 
 namespace medial
 {
@@ -438,21 +439,18 @@ private:
   {
     std::vector<Index> unit{ part };
     double sum = round.significance[part];
-    std::vector<Index> visited{ part };
+    std::unordered_map<Index, std::size_t> visited{ { part, 0 } }; // in which order
     bool restIsLarge = false;
-    const auto wasVisited = [&visited](Index p) {
-      return std::find(visited.begin(), visited.end(), p) != visited.end();
-    };
     for (const Index start : this->neighbors(round, part))
     {
-      if (round.gone[start] || wasVisited(start))
+      if (round.gone[start] || visited.count(start))
       {
         continue;
       }
       double pieceSum = 0;
       std::vector<Index> piece{ start };
       const std::size_t before = visited.size();
-      visited.push_back(start);
+      visited.emplace(start, before);
       bool large = false;
       for (std::size_t i = 0; i < piece.size() && !large; ++i)
       {
@@ -465,16 +463,15 @@ private:
         }
         for (const Index next : this->neighbors(round, piece[i]))
         {
-          const auto known = std::find(visited.begin(), visited.end(), next);
+          const auto known = visited.find(next);
           if (known != visited.end())
           {
             // What an earlier, unfinished walk has seen belongs to the large rest.
-            const auto place = static_cast<std::size_t>(known - visited.begin());
-            large = large || (next != part && place < before);
+            large = large || (next != part && known->second < before);
           }
           else if (!round.gone[next])
           {
-            visited.push_back(next);
+            visited.emplace(next, visited.size());
             piece.push_back(next);
           }
         }
