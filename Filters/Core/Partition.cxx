@@ -118,10 +118,8 @@ void forInwardNeighbors(const LivingCells& living, Index cell, const Body& body)
   forFaces(cells, living.edges, cell, overEdge, toDangling);
 }
 
-void findLevels(const LivingCells& living, int maximumLevel, Partition& result)
+void spreadLevels(const LivingCells& living, int maximumLevel, Partition& result)
 {
-  result.level.assign(result.dimension.size(), 0);
-  findBorder(living, result);
   std::vector<Index> current;
   for (Index part = 0; part < count(result.level); ++part)
   {
@@ -153,13 +151,15 @@ void findLevels(const LivingCells& living, int maximumLevel, Partition& result)
 }
 }
 
-Partition partition(LivingCells& living, int maximumLevel)
+Partition partition(LivingCells& living, int maximumLevel, const Execution& execution)
 {
   living.join();
   Partition result;
   numberParts(living, result);
-  sortCells(result);
-  findLevels(living, maximumLevel, result);
+  result.level.assign(result.dimension.size(), 0);
+  execution.forEach(
+    2, [&](Index task) { task == 0 ? sortCells(result) : findBorder(living, result); });
+  spreadLevels(living, maximumLevel, result);
   return result;
 }
 

@@ -22,7 +22,7 @@ struct Partition
 };
 
 /// @param maximumLevel  parts above it keep level 0; 0 or less: no limit
-Partition partition(LivingCells& living, int maximumLevel = 0);
+Partition partition(LivingCells& living, int maximumLevel = 0, const Execution& execution = {});
 
 /// The same where all cells live.
 Partition partition(const AxisCells& cells, const AxisEdges& edges, int maximumLevel = 0);

@@ -63,7 +63,7 @@ struct Round
   std::vector<char> isProtected;
   std::vector<ContactCurve> contacts; ///< for Topology::PaperGraph, which knows curves alone
 
-  /// Parts that share a point, ascending; made when asked for.
+  /// Parts that share a point, ascending; made when asked for, of those that are not gone then.
   mutable std::vector<std::optional<std::vector<Index>>> neighbors;
 };
 
@@ -151,7 +151,8 @@ public:
       this->removeByHand();
     }
     this->execution.report(0.9);
-    this->current = std::make_shared<Partition>(partition(this->living)); // to all levels
+    this->current =
+      std::make_shared<Partition>(partition(this->living, 0, this->execution)); // to all levels
     const Round round = this->newRound(last ? last->measure : Measure::TriangleCount);
     this->result.parts = decompose(
       this->living, *round.partition, this->measures, this->execution.part(0.9, 1), this->limbs);
@@ -492,7 +493,7 @@ private:
     round.measure = measure;
     if (!this->current)
     {
-      this->current = std::make_shared<Partition>(partition(this->living, 1));
+      this->current = std::make_shared<Partition>(partition(this->living, 1, this->execution));
     }
     round.partition = this->current;
     round.gone.assign(round.partition->dimension.size(), 0);
@@ -543,7 +544,7 @@ private:
     for (const Index cell : round.partition->cells[part])
     {
       forPoints(this->axis.cells, cell, [&](Index p) {
-        if (this->visitedIn[p] != this->walks)
+        if (this->visitedIn[p] != this->walks && this->living.cellsAtPoint(p) > 0)
         {
           this->visitedIn[p] = this->walks;
           visit(p);
