@@ -6,7 +6,8 @@ import sys
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from session import (Chain, column, field, filters, load_plugin, pv, samples, servermanager, write)
+from session import (Chain, box, column, field, filters, load_plugin, pv, samples, servermanager,
+                     write)
 
 from paraview import smstate
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -47,6 +48,11 @@ class Batch(unittest.TestCase):
         self.assertEqual(field(surface, "BettiCrust"), [1, 0, 0])
         self.assertAlmostEqual(field(surface, "Volume")[0], 6, delta=0.5)
 
+    def test_keeps_all_balls_without_an_axis(self):
+        pruned = volume(self.chain.crust)
+        self.chain.crust.Axis = None
+        self.assertGreater(volume(self.chain.crust), pruned)
+
     def test_takes_the_schedule_as_rows(self):
         self.assertEqual(list(self.chain.prune.Schedule),
                          ["TriangleCount", "5", "0", "TriangleCount", "5", "0", "RelativeVolume",
@@ -74,6 +80,7 @@ class Batch(unittest.TestCase):
         self.assertEqual(column(servermanager.Fetch(again, idx=1), "Removed"), [])
         again.SelectionRole = "Remove"
         again.Selection = None
+        self.assertEqual(column(servermanager.Fetch(again, idx=1), "Removed"), [])
         again.PartsToRemove = [int(ids.GetTuple1(cell))]
         self.assertEqual(column(servermanager.Fetch(again, idx=1), "Removed"), [1])
 
@@ -152,6 +159,21 @@ class Batch(unittest.TestCase):
         difference.SetImageData(read_picture(os.path.join(BASELINES, name)))
         difference.Update()
         self.assertLess(difference.GetThresholdedError(), 10, "%s differs from its baseline" % path)
+
+    def test_follows_a_time_series(self):
+        files = [write(box(spacing), "time%d.vtp" % i) for i, spacing in enumerate((0.3, 0.2))]
+        alone = [volume(filters.SimplifyShape(Input=pv.XMLPolyDataReader(FileName=[file])))
+                 for file in files]
+        series = pv.XMLPolyDataReader(FileName=files)
+        self.assertEqual(list(series.TimestepValues), [0, 1])
+        for result in (Chain(series).crust, filters.SimplifyShape(Input=series)):
+            found = []
+            for time in (0, 1, 0):
+                result.UpdatePipeline(time)
+                self.assertEqual(result.GetDataInformation().GetTime(), time)
+                output = stage(result).GetOutputDataObject(0)
+                found.append(field(output, "Volume"))
+            self.assertEqual(found, [alone[0], alone[1], alone[0]])
 
     def test_comes_back_from_a_state_file(self):
         expected = volume(self.chain.crust)

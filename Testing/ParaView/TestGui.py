@@ -5,7 +5,7 @@ import os
 import sys
 import traceback
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(os.environ["MEDIAL_SCRIPT"])))
+sys.path.insert(0, os.environ["MEDIAL_TESTS"])
 
 
 def main():

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs inside the user interface: first before TestPick.xml, then as the macro that it calls after each
+of its steps to see what the clicks have done."""
+
+import os
+import sys
+import traceback
+
+sys.path.insert(0, os.environ["MEDIAL_TESTS"])
+import session
+from session import check_equal, column, field, filters, pv, servermanager
+
+
+def pruned_axis():
+    """What TestPick.xml finds: a pruned axis alone in the view, of which it selects some triangles."""
+    vars(filters).update((name, getattr(pv, name)) for name in dir(pv))
+    balls = filters.PolarBalls(registrationName="PolarBalls1", Input=session.samples())
+    axis = filters.MedialAxis(registrationName="MedialAxis1", Input=balls)
+    prune = filters.MedialPrune(registrationName="MedialPrune1", Input=axis)
+    view = pv.GetActiveViewOrCreate("RenderView")
+    pv.Show(prune, view)
+    view.CameraPosition, view.CameraFocalPoint = [1.5, 1, 9], [1.5, 1, 0.5]
+    pv.SetActiveSource(prune)
+    pv.Render()
+
+
+def history():
+    return servermanager.Fetch(pv.FindSource("MedialPrune2"), idx=1)
+
+
+def nothing_is_removed():
+    check_equal(pv.FindSource("MedialPrune2").Selection, None, "Selection")
+    check_equal([value for value in column(history(), "ByHand") if value], [], "ByHand")
+
+
+def picked_part_is_removed():
+    second = pv.FindSource("MedialPrune2")
+    assert second.Selection is not None, "nothing was copied"
+    check_equal(column(history(), "ByHand")[-1:], [1], "ByHand")
+    check_equal(column(history(), "Removed")[-1:], [1], "Removed")
+    axis = servermanager.Fetch(second)
+    check_equal(field(axis, "BettiAxis"), [1, 0, 0], "BettiAxis")
+
+
+def picked_part_is_protected():
+    check_equal(pv.FindSource("MedialPrune2").SelectionRole, "Protect", "SelectionRole")
+    check_equal([value for value in column(history(), "ByHand") if value], [], "ByHand")
+    assert 4 in column(servermanager.Fetch(pv.FindSource("MedialPrune2")).GetCellData(), "KeepReason")
+
+
+def crust_has_its_axis():
+    crust = pv.FindSource("PowerCrust1")
+    check_equal(crust.Axis.SMProxy, pv.FindSource("MedialPrune2").SMProxy, "Axis")
+    surface = servermanager.Fetch(crust)
+    check_equal(field(surface, "BettiCrust"), [1, 0, 0], "BettiCrust")
+    unpruned = filters.PowerCrust(Input=pv.FindSource("PolarBalls1"))
+    assert field(surface, "Volume") < field(servermanager.Fetch(unpruned), "Volume"), "not pruned"
+    os.write(1, b"PICKED\n")
+
+
+steps = [pruned_axis, nothing_is_removed, picked_part_is_removed, picked_part_is_protected,
+         crust_has_its_axis]
+session.step = getattr(session, "step", -1) + 1
+try:
+    steps[session.step]()
+except BaseException:
+    os.write(2, traceback.format_exc().encode()) # of a macro sys.stderr would go to a window
+    os._exit(1) # the user interface would go on
