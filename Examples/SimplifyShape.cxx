@@ -29,22 +29,24 @@
 
 namespace
 {
-void writePolyData(vtkPolyData* data, const std::string& name, OutputFolder& folder)
+/// As text within the XML: with the expat of an updated Debian 12 ParaView 5.11 can't read the writers'
+/// default, raw data after the XML.
+template <typename Writer>
+void write(vtkDataObject* data, const std::string& name, OutputFolder& folder)
 {
-  vtkNew<vtkXMLPolyDataWriter> writer;
+  vtkNew<Writer> writer;
   writer->SetInputData(data);
+  writer->SetDataModeToBinary();
   folder.write(writer.Get(), name);
 }
 
 void writeData(const Pipeline& pipeline, OutputFolder& folder)
 {
-  vtkNew<vtkXMLUnstructuredGridWriter> balls;
-  balls->SetInputData(pipeline.balls->GetOutput());
-  folder.write(balls.Get(), "balls.vtu");
-  writePolyData(pipeline.axis->GetOutput(), "axis.vtp", folder);
-  writePolyData(pipeline.parts->GetOutput(), "parts.vtp", folder);
-  writePolyData(pipeline.prune->GetOutput(), "pruned.vtp", folder);
-  writePolyData(pipeline.crust->GetOutput(), "surface.vtp", folder);
+  write<vtkXMLUnstructuredGridWriter>(pipeline.balls->GetOutput(), "balls.vtu", folder);
+  write<vtkXMLPolyDataWriter>(pipeline.axis->GetOutput(), "axis.vtp", folder);
+  write<vtkXMLPolyDataWriter>(pipeline.parts->GetOutput(), "parts.vtp", folder);
+  write<vtkXMLPolyDataWriter>(pipeline.prune->GetOutput(), "pruned.vtp", folder);
+  write<vtkXMLPolyDataWriter>(pipeline.crust->GetOutput(), "surface.vtp", folder);
   vtkNew<vtkSTLWriter> triangles;
   triangles->SetInputData(inTriangles(pipeline.crust->GetOutput()));
   triangles->SetFileTypeToBinary();

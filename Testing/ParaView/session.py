@@ -44,6 +44,7 @@ def write(data, name):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(path)
     writer.SetInputData(data)
+    writer.SetDataModeToBinary()  # a patched expat can't read raw data after the XML
     writer.Write()
     return path
 
