@@ -7,10 +7,12 @@
 #include "Objects.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerVectorKey.h"
 #include "vtkInformationVector.h"
 #include "vtkSMPTools.h"
 #include "vtkSetGet.h"
@@ -25,15 +27,66 @@
 /// threads, errors.
 namespace medial
 {
-/// Is the piece asked for the first, which holds everything? The others are empty.
-inline bool isFirstPiece(vtkInformation* request, vtkInformationVector* outputs)
+/// What is asked for at the output that the request comes from.
+inline vtkInformation* askedOutput(vtkInformation* request, vtkInformationVector* outputs)
 {
   const int port = request->Has(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT())
     ? std::max(0, request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT()))
     : 0;
-  vtkInformation* output = outputs->GetInformationObject(port);
+  return outputs->GetInformationObject(port);
+}
+
+/// Is the piece asked for the first, which holds everything? The others are empty.
+inline bool isFirstPiece(vtkInformation* request, vtkInformationVector* outputs)
+{
+  vtkInformation* output = askedOutput(request, outputs);
   return !output || !output->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) ||
     output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) == 0;
+}
+
+/// The piece, of how many, with how many ghost levels, that was asked for at an output.
+inline vtkInformationIntegerVectorKey* askedPiece()
+{
+  static auto* const key = vtkInformationIntegerVectorKey::MakeKey("ASKED_PIECE", "MedialAxis", 3);
+  return key;
+}
+
+/// Notes at all outputs the piece that is asked for at one, where the input is a collection: they are
+/// made together.
+inline void notePiece(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* asked = askedOutput(request, outputs);
+  if (!asked || !vtkCompositeDataSet::GetData(inputs[0]))
+  {
+    return;
+  }
+  const int piece[] = { asked->Get(Pipeline::UPDATE_PIECE_NUMBER()),
+    asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()),
+    asked->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) };
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    outputs->GetInformationObject(port)->Set(askedPiece(), piece, 3);
+  }
+}
+
+/// Puts back what was asked for. While vtkCompositeDataPipeline works through the blocks it asks for
+/// the first piece of one instead, and leaves it so: it would take the blocks for another piece's and
+/// make them again at every update.
+inline void restorePiece(vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* output = outputs->GetInformationObject(port);
+    if (output->Has(askedPiece()))
+    {
+      output->Set(Pipeline::UPDATE_PIECE_NUMBER(), output->Get(askedPiece(), 0));
+      output->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), output->Get(askedPiece(), 1));
+      output->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), output->Get(askedPiece(), 2));
+    }
+  }
 }
 
 /// Asks every input for all of it as one piece: no stage can work on a part of the object. For another
@@ -42,6 +95,7 @@ inline int requestWholeInputs(vtkAlgorithm* filter, vtkInformation* request,
   vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  notePiece(request, inputs, outputs);
   if (!isFirstPiece(request, outputs))
   {
     return 1;
@@ -169,7 +223,7 @@ template <typename Body>
 int reportErrors(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs,
   vtkInformationVector* outputs, const Body& body)
 {
-  return reportErrorsOfAllRanks(filter, outputs, [&](const Execution& execution) {
+  const int result = reportErrorsOfAllRanks(filter, outputs, [&](const Execution& execution) {
     const bool isMine =
       isFirstPiece(request, outputs) || isSharedOut(vtkDataObject::GetData(inputs[0]));
     if (isMine && !inputStopped(filter))
@@ -177,6 +231,8 @@ int reportErrors(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVe
       body(execution);
     }
   });
+  restorePiece(outputs);
+  return result;
 }
 }
 

@@ -4,6 +4,8 @@
 #include "vtkSimplifyShape.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -149,6 +151,36 @@ TEST(SimplifyShape, StopsInEveryStageAndStartsAgain)
     simplify->Update();
     EXPECT_TRUE(same(simplify->GetOutput(), boxPipeline().crust->GetOutput()));
   }
+}
+
+TEST(SimplifyShape, MakesAllOutputsOfARankTogether)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, cloud(smallBox().samples));
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetInputDataObject(blocks);
+  int runs = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&runs);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
+  simplify->AddObserver(vtkCommand::EndEvent, count);
+  int runsForOne = 0;
+  for (int port = 0; port < 4; ++port)
+  {
+    vtkNew<vtkInformation> rank;
+    rank->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    rank->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 2);
+    rank->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 1);
+    vtkNew<vtkInformationVector> requests;
+    requests->SetNumberOfInformationObjects(4);
+    requests->SetInformationObject(port, rank);
+    simplify->Update(port, requests);
+    runsForOne = port == 0 ? runs : runsForOne;
+  }
+  EXPECT_GT(runsForOne, 0);
+  EXPECT_EQ(runs, runsForOne);
 }
 
 TEST(SimplifyShape, TakesBlocksOneByOne)

@@ -63,6 +63,9 @@ shared = filters.ShareOutObjects(Input=collection())
 print_blocks("collection at once", filters.SimplifyShape(Input=shared))
 print_blocks("collection in stages", Chain(shared).crust)
 simplified = filters.SimplifyShape(Input=shared, Schedule=["TriangleCount", "5", "0"])
+runs = []
+simplified.SMProxy.GetClientSideObject().AddObserver("EndEvent", lambda *_: runs.append(1))
+simplified.UpdatePipeline()
 collected = filters.CollectParts(Input=servermanager.OutputPort(simplified, 2),
                                  Parts=servermanager.OutputPort(simplified, 1), UniquePartIds=1)
 table = servermanager.Fetch(collected)
@@ -72,5 +75,6 @@ parts = [set(column(block.GetCellData(), "PartId"))
 check_equal(sorted(sum(map(list, parts), [])), column(table, "PartId"), "PartId of the parts")
 rows = [table.GetColumn(i) for i in range(table.GetNumberOfColumns())]
 print("RESULT", "table", table.GetNumberOfRows(), digest_of(rows), flush=True)
-mine = blocks(shared.SMProxy.GetClientSideObject().GetOutputDataObject(0))
-print("SHARE", len(list(mine)), flush=True)
+mine = len(list(blocks(shared.SMProxy.GetClientSideObject().GetOutputDataObject(0))))
+check_equal(len(runs), mine + 1, "executions, one for each object and one around them")
+print("SHARE", mine, flush=True)
