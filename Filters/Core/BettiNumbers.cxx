@@ -112,23 +112,7 @@ Index pieces(const LivingCells& living, const Partition& partition)
 {
   DisjointSets groups(count(partition.dimension));
   Index result = count(partition.dimension);
-  for (Index p = 0; p < living.cellsOfPoint().size(); ++p)
-  {
-    if (living.cellsAtPoint(p) < 2)
-    {
-      continue;
-    }
-    Index last = None;
-    for (const Index cell : living.cellsOfPoint()[p])
-    {
-      const Index part = partition.partOfCell[cell];
-      if (part != None && last != None && part != last)
-      {
-        result -= groups.unite(last, part);
-      }
-      last = part == None ? last : part;
-    }
-  }
+  forTouchingParts(living, partition, [&](Index a, Index b) { result -= groups.unite(a, b); });
   return result;
 }
 

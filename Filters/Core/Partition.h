@@ -32,6 +32,29 @@ Partition partition(const AxisCells& cells, const AxisEdges& edges, int maximumL
 Betti bettiNumbers(
   const LivingCells& living, const Partition& partition, const Execution& execution = {});
 
+/// Calls body(part, part) so often that parts which share a point are linked by these pairs.
+template <typename Body>
+void forTouchingParts(const LivingCells& living, const Partition& partition, const Body& body)
+{
+  for (Index p = 0; p < living.cellsOfPoint().size(); ++p)
+  {
+    if (living.cellsAtPoint(p) < 2)
+    {
+      continue;
+    }
+    Index last = None;
+    for (const Index cell : living.cellsOfPoint()[p])
+    {
+      const Index part = partition.partOfCell[cell];
+      if (part != None && last != None && part != last)
+      {
+        body(last, part);
+      }
+      last = part == None ? last : part;
+    }
+  }
+}
+
 /// The parts of the living cells at each point.
 struct PartsAtPoints
 {

@@ -71,23 +71,7 @@ struct Round
 std::vector<char> wholePieces(const LivingCells& living, const Partition& partition)
 {
   std::vector<char> result(partition.dimension.size(), 1);
-  for (Index p = 0; p < living.cellsOfPoint().size(); ++p)
-  {
-    if (living.cellsAtPoint(p) < 2)
-    {
-      continue;
-    }
-    Index last = None;
-    for (const Index cell : living.cellsOfPoint()[p])
-    {
-      const Index part = partition.partOfCell[cell];
-      if (part != None && last != None && part != last)
-      {
-        result[part] = result[last] = 0;
-      }
-      last = part == None ? last : part;
-    }
-  }
+  forTouchingParts(living, partition, [&](Index a, Index b) { result[a] = result[b] = 0; });
   return result;
 }
 
