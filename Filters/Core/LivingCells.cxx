@@ -7,8 +7,6 @@
 
 namespace medial
 {
-namespace
-{
 IndexLists cellsOfPoints(const AxisCells& cells)
 {
   const auto forAll = [&cells](const auto& body) {
@@ -27,7 +25,6 @@ IndexLists cellsOfPoints(const AxisCells& cells)
   std::vector<Index> next = result.offsets;
   forAll([&](Index p, Index c) { result.items[next[p]++] = c; });
   return result;
-}
 }
 
 LivingCells::LivingCells(

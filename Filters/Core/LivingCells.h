@@ -64,6 +64,9 @@ private:
   std::vector<Index> changedEdges, changedPoints; ///< may have come down to two since join()
 };
 
+/// For each point up to the last that cells use those, ascending.
+IndexLists cellsOfPoints(const AxisCells& cells);
+
 /// Calls onEdge(edge) and onPoint(point) for what a cell uses.
 template <typename OnEdge, typename OnPoint>
 void forFaces(const AxisCells& cells, const AxisEdges& edges, Index cell, const OnEdge& onEdge,

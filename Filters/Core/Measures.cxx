@@ -106,9 +106,10 @@ double together(Measure measure, double a, double b)
   return findMeasure(static_cast<int>(measure))->addsUp ? a + b : std::max(a, b);
 }
 
-PartMeasures::PartMeasures(const MedialAxis& theAxis)
+PartMeasures::PartMeasures(const MedialAxis& theAxis, const IndexLists& cellsOfItsPoints)
   : axis(theAxis)
   , solidVolume(std::accumulate(theAxis.ballVolumes.begin(), theAxis.ballVolumes.end(), 0.0))
+  , cellsOfPoint(cellsOfItsPoints)
 {
   const std::vector<Point>& points = this->axis.points;
   this->sizes.reserve(this->axis.cells.size());
@@ -127,7 +128,8 @@ PartMeasures::PartMeasures(const MedialAxis& theAxis)
 std::vector<double> PartMeasures::ofVolumes(const Partition& partition) const
 {
   std::vector<double> result(partition.cells.size(), 0);
-  const std::vector<Index> partOf = partOfBall(this->axis, partition.partOfCell);
+  const std::vector<Index> partOf = 
+    partOfBall(this->axis, partition.partOfCell, this->cellsOfPoint);
   for (Index b = 0; b < count(partOf); ++b)
   {
     if (partOf[b] != None && this->solidVolume > 0)

@@ -58,10 +58,11 @@ double together(Measure measure, double a, double b);
 class PartMeasures
 {
 public:
-  /// @param axis  must outlive this
-  explicit PartMeasures(const MedialAxis& axis);
+  /// @param axis, cellsOfPoint  of the axis; must outlive this
+  PartMeasures(const MedialAxis& axis, const IndexLists& cellsOfPoint);
 
   const MedialAxis& axis;
+  const double solidVolume; ///< of all balls
 
   /// For each part of a partition of the axis' cells its value, never negative.
   std::vector<double> significance(
@@ -74,8 +75,8 @@ private:
   std::vector<double> hausdorffDistances(
     const Partition& partition, const Execution& execution) const;
 
+  const IndexLists& cellsOfPoint;
   std::vector<double> sizes; ///< of each cell: area, length, 1
-  double solidVolume;        ///< of all balls
 };
 }
 

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace medial
 {
@@ -143,21 +144,14 @@ MedialPart measured(const MedialAxis& axis, const Partition& partition, Index pa
   return result;
 }
 
-void addVolumes(const MedialAxis& axis, MedialParts& result)
+/// @param shares  of the solid's volume, for each part
+void addVolumes(const std::vector<double>& shares, double solidVolume, MedialParts& result)
 {
-  const std::vector<Index> parts = partOfBall(axis, result.partOfCell);
-  double total = 0;
-  for (std::size_t b = 0; b < parts.size(); ++b)
+  const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (std::size_t part = 0; part < shares.size(); ++part)
   {
-    if (parts[b] != None)
-    {
-      result.parts[parts[b]].volume += axis.ballVolumes[b];
-      total += axis.ballVolumes[b];
-    }
-  }
-  for (MedialPart& part : result.parts)
-  {
-    part.relativeVolume = total > 0 ? part.volume / total : 0;
+    result.parts[part].volume = shares[part] * solidVolume;
+    result.parts[part].relativeVolume = total > 0 ? shares[part] / total : 0;
   }
 }
 
@@ -219,13 +213,6 @@ void addContacts(MedialParts& result)
   {
     result.parts[part].onLoop = graph.partOnLoop[part] != 0;
   }
-}
-
-std::vector<Index> withoutRepeats(IndexLists::View ascending)
-{
-  std::vector<Index> result;
-  std::unique_copy(ascending.begin(), ascending.end(), std::back_inserter(result));
-  return result;
 }
 
 /// The edges along which the axis is no surface, with the parts that meet there.
@@ -309,23 +296,29 @@ std::vector<ContactCurve> contactCurves(const AxisEdges& edges, const ContactEdg
 }
 
 /// The points at which some part has no contact edge.
-std::vector<ContactCurve> contactPoints(const PartsAtPoints& there, const ContactEdges& contacts)
+std::vector<ContactCurve> contactPoints(
+  const LivingCells& living, const Partition& partition, const ContactEdges& contacts)
 {
   std::vector<ContactCurve> result;
-  for (Index p = 0; p < there.several.size(); ++p)
+  std::vector<Index> parts;
+  for (Index p = 0; p < living.cellsOfPoint().size(); ++p)
   {
-    const std::vector<Index> parts = withoutRepeats(there.several[p]);
+    partsOf(living.cellsOfPoint()[p], partition.partOfCell, parts);
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    if (parts.size() < 2)
+    {
+      continue;
+    }
     std::vector<Index> joined;
     const auto at = contacts.atPoint.find(p);
-    for (std::size_t i = 0; !parts.empty() && at != contacts.atPoint.end() && i < at->second.size();
-         ++i)
+    for (std::size_t i = 0; at != contacts.atPoint.end() && i < at->second.size(); ++i)
     {
       const std::vector<Index>& along = contacts.parts.at(at->second[i]);
       joined.insert(joined.end(), along.begin(), along.end());
     }
     std::sort(joined.begin(), joined.end());
     joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
-    if (!parts.empty() && joined != parts)
+    if (joined != parts)
     {
       result.push_back({ { p }, parts });
     }
@@ -334,29 +327,27 @@ std::vector<ContactCurve> contactPoints(const PartsAtPoints& there, const Contac
 }
 }
 
-std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell)
+std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell,
+  const IndexLists& cellsOfPoint)
 {
-  const PartsAtPoints there = partsAtPoints(axis.cells, partOfCell, count(axis.points));
   std::vector<Index> part(axis.ballOwner.size(), None), most(axis.ballOwner.size(), 0);
-  const auto vote = [&](Index ball, Index candidate, Index votes) {
-    if (votes > most[ball])
-    {
-      most[ball] = votes;
-      part[ball] = candidate;
-    }
-  };
-  for (Index p = 0; p < count(axis.points); ++p)
+  std::vector<Index> parts;
+  for (Index p = 0; p < cellsOfPoint.size(); ++p)
   {
     const Index ball = axis.ballOfPoint[p];
-    const IndexLists::View several = there.several[p];
-    if (ball != None && there.only[p] != None)
+    if (ball == None)
     {
-      vote(ball, there.only[p], there.cells[p]);
+      continue;
     }
-    for (const Index* i = several.begin(); i != several.end() && ball != None;)
+    partsOf(cellsOfPoint[p], partOfCell, parts);
+    for (auto i = parts.begin(); i != parts.end();)
     {
-      const Index* const end = std::find_if(i, several.end(), [i](Index q) { return q != *i; });
-      vote(ball, *i, static_cast<Index>(end - i));
+      const auto end = std::upper_bound(i, parts.end(), *i);
+      if (end - i > most[ball])
+      {
+        most[ball] = static_cast<Index>(end - i);
+        part[ball] = *i;
+      }
       i = end;
     }
   }
@@ -368,13 +359,16 @@ std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& 
   return result;
 }
 
+std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell)
+{
+  return partOfBall(axis, partOfCell, cellsOfPoints(axis.cells));
+}
+
 std::vector<ContactCurve> contacts(const LivingCells& living, const Partition& partition)
 {
   const ContactEdges along = contactEdges(living, partition);
   std::vector<ContactCurve> result = contactCurves(living.edges, along);
-  const PartsAtPoints there =
-    partsAtPoints(living.cells, partition.partOfCell, living.cellsOfPoint().size());
-  const std::vector<ContactCurve> points = contactPoints(there, along);
+  const std::vector<ContactCurve> points = contactPoints(living, partition, along);
   result.insert(result.end(), points.begin(), points.end());
   return result;
 }
@@ -394,7 +388,8 @@ MedialParts decompose(
 {
   const AxisEdges edges = axisEdges(axis.cells);
   LivingCells living(axis.cells, edges, bodies.ofCell);
-  return decompose(living, partition(living, maximumLevel), PartMeasures(axis), execution, bodies);
+  const PartMeasures measures(axis, living.cellsOfPoint());
+  return decompose(living, partition(living, maximumLevel), measures, execution, bodies);
 }
 
 MedialParts decompose(const LivingCells& living, const Partition& partition,
@@ -426,7 +421,7 @@ MedialParts decompose(const LivingCells& living, const Partition& partition,
       result.parts[part].neckRatio = body == None ? 1 : bodies.neckRatio[body];
     }
   });
-  addVolumes(measures.axis, result);
+  addVolumes(significances[static_cast<int>(Measure::RelativeVolume)], measures.solidVolume, result);
   addMeasures(partition, significances, result);
   addContacts(result);
   execution.report(1);

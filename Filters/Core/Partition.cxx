@@ -2,6 +2,7 @@
 #include "Partition.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -169,47 +170,25 @@ Partition partition(const AxisCells& cells, const AxisEdges& edges, int maximumL
   return partition(living, maximumLevel);
 }
 
-PartsAtPoints partsAtPoints(
-  const AxisCells& cells, const std::vector<Index>& partOfCell, Index pointCount)
+void findAllLevels(const LivingCells& living, Partition& partition)
 {
-  const auto forCorners = [&](const auto& body) {
-    for (Index c = 0; c < cells.size(); ++c)
-    {
-      if (partOfCell[c] != None)
-      {
-        forPoints(cells, c, [&](Index p) { body(p, partOfCell[c]); });
-      }
-    }
-  };
-  constexpr Index mixed = None - 1;
-  PartsAtPoints result;
-  result.only.assign(pointCount, None);
-  result.cells.assign(pointCount, 0);
-  forCorners([&](Index p, Index part) {
-    Index& only = result.only[p];
-    only = result.cells[p]++ == 0 || only == part ? part : mixed;
-  });
-  result.several.offsets.reserve(pointCount + 1);
-  Index size = 0;
-  for (Index p = 0; p < pointCount; ++p)
+  spreadLevels(living, 0, partition);
+}
+
+void partsOf(
+  IndexLists::View cells, const std::vector<Index>& partOfCell, std::vector<Index>& parts)
+{
+  parts.clear();
+  for (const Index cell : cells)
   {
-    size += result.only[p] == mixed ? result.cells[p] : 0;
-    result.several.offsets.push_back(size);
-  }
-  std::vector<Index>& items = result.several.items;
-  items.resize(size);
-  std::vector<Index> next = result.several.offsets;
-  forCorners([&](Index p, Index part) {
-    if (result.only[p] == mixed)
+    if (partOfCell[cell] != None)
     {
-      items[next[p]++] = part;
+      parts.push_back(partOfCell[cell]);
     }
-  });
-  for (Index p = 0; p < pointCount; ++p)
-  {
-    result.only[p] = std::max(result.only[p], None);
-    std::sort(items.begin() + result.several.offsets[p], items.begin() + next[p]);
   }
-  return result;
+  if (std::adjacent_find(parts.begin(), parts.end(), std::greater<>()) != parts.end())
+  {
+    std::sort(parts.begin(), parts.end());
+  }
 }
 }

@@ -21,11 +21,14 @@ struct Partition
   std::vector<int> level;     ///< of each part; 0: not reached
 };
 
-/// @param maximumLevel  parts above it keep level 0; 0 or less: no limit
+/// @param maximumLevel  parts above it get level 0; 0 or less: no limit
 Partition partition(LivingCells& living, int maximumLevel = 0, const Execution& execution = {});
 
 /// The same where all cells live.
 Partition partition(const AxisCells& cells, const AxisEdges& edges, int maximumLevel = 0);
+
+/// Gives a partition of the living cells the levels that it does not have yet.
+void findAllLevels(const LivingCells& living, Partition& partition);
 
 /// Betti numbers of the living cells and their faces. Exact, over Z/2.
 /// @param partition  of these cells, to level 1 or more
@@ -55,16 +58,9 @@ void forTouchingParts(const LivingCells& living, const Partition& partition, con
   }
 }
 
-/// The parts of the living cells at each point.
-struct PartsAtPoints
-{
-  std::vector<Index> only;  ///< of all cells there; None where there are several, or no cells
-  std::vector<Index> cells; ///< how many
-  IndexLists several; ///< where there are several: those of the cells, ascending, with repeats
-};
-
-PartsAtPoints partsAtPoints(
-  const AxisCells& cells, const std::vector<Index>& partOfCell, Index pointCount);
+/// The parts of some cells, ascending, with repeats; cells without a part are left out.
+void partsOf(
+  IndexLists::View cells, const std::vector<Index>& partOfCell, std::vector<Index>& parts);
 }
 
 #endif

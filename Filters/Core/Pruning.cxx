@@ -135,9 +135,8 @@ public:
       this->removeByHand();
     }
     this->execution.report(0.9);
-    this->current =
-      std::make_shared<Partition>(partition(this->living, 0, this->execution)); // to all levels
     const Round round = this->newRound(last ? last->measure : Measure::TriangleCount);
+    findAllLevels(this->living, *this->current);
     this->result.parts = decompose(
       this->living, *round.partition, this->measures, this->execution.part(0.9, 1), this->limbs);
     std::vector<Index>& partOfCell = this->result.parts.partOfCell;
@@ -478,10 +477,17 @@ private:
     if (!this->current)
     {
       this->current = std::make_shared<Partition>(partition(this->living, 1, this->execution));
+      this->measured.reset();
+    }
+    if (this->measured != measure)
+    {
+      this->significance =
+        this->measures.significance(measure, *this->current, this->execution);
+      this->measured = measure;
     }
     round.partition = this->current;
     round.gone.assign(round.partition->dimension.size(), 0);
-    round.significance = this->measures.significance(measure, *round.partition, this->execution);
+    round.significance = this->significance;
     for (const auto& [cell, amount] : this->inherited)
     {
       if (this->living.isLiving(cell))
@@ -717,7 +723,9 @@ private:
   LivingCells living;
   PartCollapse collapse;
   const PartMeasures& measures;
-  std::shared_ptr<const Partition> current; ///< of the living cells, until something goes
+  std::shared_ptr<Partition> current; ///< of the living cells, until something goes
+  std::optional<Measure> measured;    ///< what is known of the current parts
+  std::vector<double> significance;   ///< of the current parts in this measure
   double totalVolume;
   double volume;                ///< of the living cells, relative
   Betti verified{};             ///< the last Betti numbers, where every removal is verified
@@ -734,7 +742,7 @@ PrunableAxis::PrunableAxis(MedialAxis theAxis)
   : axis(std::move(theAxis))
   , edges(axisEdges(this->axis.cells))
   , living(this->axis.cells, this->edges)
-  , measures(this->axis)
+  , measures(this->axis, this->living.cellsOfPoint())
 {
 }
 
