@@ -50,9 +50,9 @@ struct vtkMedialPrune::vtkAxis
 {
   vtkWeakPointer<vtkPolyData> Input;
   vtkMTimeType Time = 0;
-  std::unique_ptr<const medial::PrunableAxis> Prepared;
+  std::unique_ptr<medial::PrunableAxis> Prepared;
 
-  const medial::PrunableAxis& Of(vtkPolyData* input)
+  medial::PrunableAxis& Of(vtkPolyData* input)
   {
     if (this->Input != input || this->Time != input->GetMTime())
     {

@@ -16,6 +16,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 
 namespace medial
@@ -75,6 +76,25 @@ std::vector<char> wholePieces(const LivingCells& living, const Partition& partit
   return result;
 }
 
+/// With how many iterations do both begin that have the same outcome?
+Index sharedIterations(const PruneOptions& a, const PruneOptions& b)
+{
+  const auto rules = [](const PruneOptions& options) {
+    return std::tie(options.topology, options.removeHair, options.removeBranches, options.neckRatio,
+      options.verifyTopology, options.cellsToProtect);
+  };
+  if (a.automatic || b.automatic || rules(a) != rules(b) || a.verifyTopology)
+  {
+    return 0;
+  }
+  const auto isSame = [](const PruneIteration& p, const PruneIteration& q) {
+    return p.measure == q.measure && p.threshold == q.threshold && p.passes == q.passes;
+  };
+  const auto end = std::mismatch(
+    a.schedule.begin(), a.schedule.end(), b.schedule.begin(), b.schedule.end(), isSame);
+  return static_cast<Index>(end.first - a.schedule.begin());
+}
+
 void clearRefusals(PruneRow& row)
 {
   row.refused = row.refusedByTopology = row.refusedIsolated = row.refusedProtected = 0;
@@ -106,9 +126,10 @@ public:
     , visitedIn(this->axis.points.size(), 0)
     , metIn(this->axis.cells.size(), 0)
   {
-    this->volume = this->livingVolume();
     this->result.removedInIteration.assign(this->axis.cells.size(), None);
     this->result.removedPart.assign(this->axis.cells.size(), None);
+    this->resume(input.lastRecord, sharedIterations(input.lastOptions, settings));
+    this->volume = this->livingVolume();
     if (this->options.verifyTopology)
     {
       this->verified = bettiNumbers(this->axis.cells);
@@ -123,10 +144,11 @@ public:
     }
     else
     {
-      for (const PruneIteration& iteration : this->options.schedule)
+      const std::vector<PruneIteration>& schedule = this->options.schedule;
+      while (this->result.history.size() < schedule.size())
       {
-        this->reportIterations(this->options.schedule.size());
-        this->iterate(iteration);
+        this->reportIterations(schedule.size());
+        this->iterate(schedule[this->result.history.size()]);
       }
     }
     const std::optional<PruneIteration> last = this->lastIteration();
@@ -151,6 +173,28 @@ public:
   }
 
 private:
+  /// Takes over the first rows of an earlier history.
+  void resume(const PruneRecord& earlier, Index rows)
+  {
+    if (rows == 0)
+    {
+      return;
+    }
+    std::vector<Index> removed;
+    for (Index cell = 0; cell < this->axis.cells.size(); ++cell)
+    {
+      const Index row = earlier.removedInIteration[cell];
+      if (row != None && row < rows)
+      {
+        this->result.removedInIteration[cell] = row;
+        this->result.removedPart[cell] = earlier.removedPart[cell];
+        removed.push_back(cell);
+      }
+    }
+    this->living.remove(removed);
+    this->result.history.assign(earlier.history.begin(), earlier.history.begin() + rows);
+  }
+
   void reportIterations(std::size_t all) const
   {
     this->execution.report(
@@ -746,16 +790,19 @@ PrunableAxis::PrunableAxis(MedialAxis theAxis)
 {
 }
 
-Pruned prune(const PrunableAxis& input, const PruneOptions& options, const Execution& execution)
+Pruned prune(PrunableAxis& input, const PruneOptions& options, const Execution& execution)
 {
   requireValid(input.axis, options);
   Pruned result = Pruner(input, options, execution).run();
+  input.lastOptions = options;
+  input.lastRecord = result;
   execution.report(1);
   return result;
 }
 
 Pruned prune(const MedialAxis& axis, const PruneOptions& options, const Execution& execution)
 {
-  return prune(PrunableAxis(axis), options, execution);
+  PrunableAxis prunable(axis);
+  return prune(prunable, options, execution);
 }
 }

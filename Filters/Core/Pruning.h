@@ -39,20 +39,6 @@ struct PruneIteration
   int passes = 0;       ///< how often to repeat; 0: until nothing changes (the paper: 1)
 };
 
-/// An axis with what pruning needs of it under any options: made once, for many thresholds.
-class PrunableAxis
-{
-public:
-  explicit PrunableAxis(MedialAxis theAxis);
-  PrunableAxis(const PrunableAxis&) = delete; // its members refer to each other
-  PrunableAxis& operator=(const PrunableAxis&) = delete;
-
-  const MedialAxis axis;
-  const AxisEdges edges;
-  const LivingCells living; ///< all
-  const PartMeasures measures;
-};
-
 struct PruneOptions
 {
   std::vector<PruneIteration> schedule;
@@ -116,16 +102,39 @@ struct PruneRow
   double volumeRemoved;  ///< relative
 };
 
-struct Pruned
+/// What went, and when.
+struct PruneRecord
 {
-  MedialAxis axis;                       ///< all points of the input, the living cells
-  MedialParts parts;                     ///< of the living cells
-  std::vector<KeepReason> keepReason;    ///< for each part
-  std::vector<Index> inputCell;          ///< for each living cell: its number in the input
   std::vector<Index> removedInIteration; ///< for each cell of the input: row of `history`, or None
   std::vector<Index> removedPart; ///< for each cell of the input: its part when it was removed
   std::vector<PruneRow> history;
-  std::vector<CellFate> fates; ///< for each of PruneOptions::cellsToRemove
+};
+
+struct Pruned : PruneRecord
+{
+  MedialAxis axis;                    ///< all points of the input, the living cells
+  MedialParts parts;                  ///< of the living cells
+  std::vector<KeepReason> keepReason; ///< for each part
+  std::vector<Index> inputCell;       ///< for each living cell: its number in the input
+  std::vector<CellFate> fates;        ///< for each of PruneOptions::cellsToRemove
+};
+
+/// An axis with what pruning needs of it under any options: made once, for many thresholds.
+class PrunableAxis
+{
+public:
+  explicit PrunableAxis(MedialAxis theAxis);
+  PrunableAxis(const PrunableAxis&) = delete; // its members refer to each other
+  PrunableAxis& operator=(const PrunableAxis&) = delete;
+
+  const MedialAxis axis;
+  const AxisEdges edges;
+  const LivingCells living; ///< all
+  const PartMeasures measures;
+
+  /// How it was pruned last: the iterations with which the next schedule begins, too, are not made again.
+  PruneOptions lastOptions;
+  PruneRecord lastRecord; ///< empty: not yet
 };
 
 /// Removes insignificant parts of level 1, least significant first (paper 4.2, 4.3).
@@ -136,8 +145,7 @@ struct Pruned
 ///
 /// @throw InvalidInput  a threshold that is not a number or negative; a cell that isn't there
 /// @throw std::logic_error  verifyTopology found a change with Topology::Collapse: a bug of ours
-Pruned prune(
-  const PrunableAxis& input, const PruneOptions& options, const Execution& execution = {});
+Pruned prune(PrunableAxis& input, const PruneOptions& options, const Execution& execution = {});
 
 /// The same, for once.
 Pruned prune(const MedialAxis& axis, const PruneOptions& options, const Execution& execution = {});
