@@ -40,9 +40,10 @@
  * One warning lists the parts that were to be removed by hand and were not, with the reason: needed
  * for the topology, a whole piece of the axis, protected, or already gone.
  *
- * So that another threshold takes a fraction of the time, the filter keeps a copy of the axis and what
- * it has made of it, about 200 bytes for each cell, until it runs on an input that has changed. Who
- * changes values of an array in place must call its Modified().
+ * So that another threshold takes a fraction of the time, the filter keeps a copy of the axis, what it
+ * has made of it and what went when, about 200 bytes for each cell, until it runs on an input that has
+ * changed. Iterations with which the last schedule began, too, are not made again. Who changes values of
+ * an array in place must call its Modified().
  *
  * An error (an array that is missing or does not fit; a negative threshold; a part or cell to remove
  * or to protect that isn't there; a selection that can't be used) leaves the outputs empty and sets

@@ -15,16 +15,17 @@ namespace
 {
 /// The conditions on closed chains, which hold all triangles of a part or none: at each edge an even
 /// number of them.
-std::vector<std::vector<Index>> conditions(const LivingCells& living, const Partition& partition)
+IndexLists conditions(const LivingCells& living, const Partition& partition)
 {
-  std::vector<std::vector<Index>> rows;
+  IndexLists rows;
+  std::vector<Index> row;
   for (Index e = 0; e < living.edges.triangles.size(); ++e)
   {
     if (!living.isContact(e))
     {
       continue;
     }
-    std::vector<Index> row;
+    row.clear();
     for (const Index t : living.edges.triangles[e])
     {
       const Index part = partition.partOfCell[living.cells.firstTriangle() + t];
@@ -39,23 +40,22 @@ std::vector<std::vector<Index>> conditions(const LivingCells& living, const Part
       }
     }
     std::sort(row.begin(), row.end());
-    rows.push_back(std::move(row));
+    rows.items.insert(rows.items.end(), row.begin(), row.end());
+    rows.close();
   }
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   return rows;
 }
 
 /// Parts that can't be in a closed chain because they are alone at an edge, until there is none.
-void killLoneParts(const std::vector<std::vector<Index>>& rows, std::vector<char>& dead)
+void killLoneParts(const IndexLists& rows, std::vector<char>& dead)
 {
   for (bool changed = true; changed;)
   {
     changed = false;
-    for (const std::vector<Index>& row : rows)
+    for (Index row = 0; row < rows.size(); ++row)
     {
       Index living = 0, last = None;
-      for (const Index part : row)
+      for (const Index part : rows[row])
       {
         living += !dead[part];
         last = dead[part] ? last : part;
@@ -70,11 +70,12 @@ void killLoneParts(const std::vector<std::vector<Index>>& rows, std::vector<char
 }
 
 /// Rank over Z/2 of rows given as ascending lists of their columns.
-Index rank(const std::vector<std::vector<Index>>& rows, const std::vector<char>& dead)
+Index rank(const IndexLists& rows, const std::vector<char>& dead)
 {
   std::map<Index, std::vector<Index>> pivots; // by highest column
-  for (const std::vector<Index>& all : rows)
+  for (Index i = 0; i < rows.size(); ++i)
   {
+    const IndexLists::View all = rows[i];
     std::vector<Index> row;
     std::copy_if(
       all.begin(), all.end(), std::back_inserter(row), [&dead](Index part) { return !dead[part]; });
@@ -102,7 +103,7 @@ Index closedChains(const LivingCells& living, const Partition& partition)
   {
     dead.push_back(partition.dimension[part] < 2 || partition.level[part] == 1);
   }
-  const std::vector<std::vector<Index>> rows = conditions(living, partition);
+  const IndexLists rows = conditions(living, partition);
   killLoneParts(rows, dead);
   return static_cast<Index>(std::count(dead.begin(), dead.end(), 0)) - rank(rows, dead);
 }
@@ -115,45 +116,17 @@ Index pieces(const LivingCells& living, const Partition& partition)
   forTouchingParts(living, partition, [&](Index a, Index b) { result -= groups.unite(a, b); });
   return result;
 }
-
-/// Points - edges + triangles.
-Index eulerCharacteristic(const LivingCells& living)
-{
-  const AxisCells& cells = living.cells;
-  Index result = 0;
-  for (Index p = 0; p < living.cellsOfPoint().size(); ++p)
-  {
-    result += living.cellsAtPoint(p) > 0;
-  }
-  std::vector<char> used(living.edges.points.size(), 0);
-  for (Index e = 0; e < count(used); ++e)
-  {
-    used[e] = living.trianglesAtEdge(e) > 0;
-  }
-  for (Index c = cells.firstEdge(); c < cells.firstTriangle(); ++c)
-  {
-    char& edge = used[living.edges.ofDangling[c - cells.firstEdge()]];
-    edge = edge || living.isLiving(c);
-  }
-  for (Index c = cells.firstTriangle(); c < cells.size(); ++c)
-  {
-    result += living.isLiving(c);
-  }
-  return result - static_cast<Index>(std::count(used.begin(), used.end(), 1));
-}
 }
 
 Betti bettiNumbers(
   const LivingCells& living, const Partition& partition, const Execution& execution)
 {
-  std::array<Index, 3> found{};
-  execution.forEach(3, [&](Index task) {
-    found[task] = task == 0 ? pieces(living, partition)
-      : task == 1           ? closedChains(living, partition)
-                            : eulerCharacteristic(living);
+  std::array<Index, 2> found{};
+  execution.forEach(2, [&](Index task) {
+    found[task] = task == 0 ? pieces(living, partition) : closedChains(living, partition);
   });
-  const auto [b0, b2, euler] = found;
-  return { b0, b0 + b2 - euler, b2 };
+  const auto [b0, b2] = found;
+  return { b0, b0 + b2 - living.eulerCharacteristic(), b2 };
 }
 
 Betti bettiNumbers(const AxisCells& cells)

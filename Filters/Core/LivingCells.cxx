@@ -34,6 +34,7 @@ LivingCells::LivingCells(
   , bodyOfCell(std::move(bodies))
   , living(axisCells.size(), 1)
   , livingCount(axisCells.size())
+  , euler(count(axisCells.triangles))
   , ofPoint(std::make_shared<IndexLists>(cellsOfPoints(axisCells)))
   , groups(axisCells.size())
 {
@@ -47,7 +48,17 @@ LivingCells::LivingCells(
   for (Index p = 0; p < this->cellsOfPoint().size(); ++p)
   {
     this->atPoint.push_back(this->cellsOfPoint()[p].size());
+    this->euler += this->atPoint[p] > 0;
     this->joinAtPoint(p);
+  }
+  this->usesOfEdge = this->atEdge;
+  for (const Index e : this->edges.ofDangling)
+  {
+    ++this->usesOfEdge[e];
+  }
+  for (const Index uses : this->usesOfEdge)
+  {
+    this->euler -= uses > 0;
   }
 }
 
@@ -58,7 +69,9 @@ void LivingCells::remove(const std::vector<Index>& removed)
     const bool isTriangle = c >= this->cells.firstTriangle();
     this->living[c] = 0;
     --this->livingCount;
+    this->euler -= isTriangle;
     const auto leaveEdge = [&](Index e) {
+      this->euler += --this->usesOfEdge[e] == 0;
       this->atEdge[e] -= isTriangle;
       if (this->atEdge[e] == 2)
       {
@@ -66,7 +79,9 @@ void LivingCells::remove(const std::vector<Index>& removed)
       }
     };
     const auto leavePoint = [&](Index p) {
-      if (--this->atPoint[p] == 2)
+      --this->atPoint[p];
+      this->euler -= this->atPoint[p] == 0;
+      if (this->atPoint[p] == 2)
       {
         this->changedPoints.push_back(p);
       }

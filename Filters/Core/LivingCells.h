@@ -28,6 +28,9 @@ public:
   bool isLiving(Index cell) const { return this->living[cell]; }
   Index size() const { return this->livingCount; }
 
+  /// Points - edges + triangles of the living cells and their faces.
+  Index eulerCharacteristic() const { return this->euler; }
+
   /// How many live at an edge, at a point.
   Index trianglesAtEdge(Index edge) const { return this->atEdge[edge]; }
   Index cellsAtPoint(Index point) const { return this->atPoint[point]; }
@@ -58,7 +61,9 @@ private:
   std::vector<Index> bodyOfCell; ///< or empty
   std::vector<char> living;
   Index livingCount;
+  Index euler;
   std::vector<Index> atEdge, atPoint;
+  std::vector<Index> usesOfEdge;             ///< by triangles and dangling edges
   std::shared_ptr<const IndexLists> ofPoint; ///< copies share it
   DisjointSets groups;
   std::vector<Index> changedEdges, changedPoints; ///< may have come down to two since join()

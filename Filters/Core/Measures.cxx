@@ -48,6 +48,23 @@ void forEachPoint(const MedialAxis& axis, const Partition& partition, const Body
   }
 }
 
+std::vector<double> sizesOfCells(const MedialAxis& axis)
+{
+  const std::vector<Point>& points = axis.points;
+  std::vector<double> sizes(axis.cells.vertices.size(), 1);
+  sizes.reserve(axis.cells.size());
+  for (const Edge& edge : axis.cells.edges)
+  {
+    sizes.push_back((points[edge[1]] - points[edge[0]]).norm());
+  }
+  for (const Triangle& t : axis.cells.triangles)
+  {
+    const Point& a = points[t[0]];
+    sizes.push_back(0.5 * (points[t[1]] - a).cross(points[t[2]] - a).norm());
+  }
+  return sizes;
+}
+
 std::vector<double> meanRadii(const MedialAxis& axis, const Partition& partition)
 {
   std::vector<double> sums(partition.cells.size(), 0), counts(sums.size(), 0);
@@ -109,26 +126,15 @@ double together(Measure measure, double a, double b)
 PartMeasures::PartMeasures(const MedialAxis& theAxis, const IndexLists& cellsOfItsPoints)
   : axis(theAxis)
   , solidVolume(std::accumulate(theAxis.ballVolumes.begin(), theAxis.ballVolumes.end(), 0.0))
+  , sizes(sizesOfCells(theAxis))
   , cellsOfPoint(cellsOfItsPoints)
 {
-  const std::vector<Point>& points = this->axis.points;
-  this->sizes.reserve(this->axis.cells.size());
-  this->sizes.assign(this->axis.cells.vertices.size(), 1);
-  for (const Edge& edge : this->axis.cells.edges)
-  {
-    this->sizes.push_back((points[edge[1]] - points[edge[0]]).norm());
-  }
-  for (const Triangle& t : this->axis.cells.triangles)
-  {
-    const Point& a = points[t[0]];
-    this->sizes.push_back(0.5 * (points[t[1]] - a).cross(points[t[2]] - a).norm());
-  }
 }
 
 std::vector<double> PartMeasures::ofVolumes(const Partition& partition) const
 {
   std::vector<double> result(partition.cells.size(), 0);
-  const std::vector<Index> partOf = 
+  const std::vector<Index> partOf =
     partOfBall(this->axis, partition.partOfCell, this->cellsOfPoint);
   for (Index b = 0; b < count(partOf); ++b)
   {

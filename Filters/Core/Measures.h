@@ -62,7 +62,8 @@ public:
   PartMeasures(const MedialAxis& axis, const IndexLists& cellsOfPoint);
 
   const MedialAxis& axis;
-  const double solidVolume; ///< of all balls
+  const double solidVolume;        ///< of all balls
+  const std::vector<double> sizes; ///< of each cell: area, length, 1
 
   /// For each part of a partition of the axis' cells its value, never negative.
   std::vector<double> significance(
@@ -76,7 +77,6 @@ private:
     const Partition& partition, const Execution& execution) const;
 
   const IndexLists& cellsOfPoint;
-  std::vector<double> sizes; ///< of each cell: area, length, 1
 };
 }
 

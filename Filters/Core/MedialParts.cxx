@@ -19,35 +19,17 @@ namespace medial
 {
 namespace
 {
-double triangleArea(const MedialAxis& axis, Index cell)
-{
-  const Triangle& t = axis.cells.triangles[cell - axis.cells.firstTriangle()];
-  const Point& a = axis.points[t[0]];
-  return 0.5 * (axis.points[t[1]] - a).cross(axis.points[t[2]] - a).norm();
-}
-
-/// The area of a triangle, the length of an edge, 0 for a vertex.
-double sizeOf(const MedialAxis& axis, Index cell)
-{
-  if (cell >= axis.cells.firstTriangle())
-  {
-    return triangleArea(axis, cell);
-  }
-  std::vector<Point> ends;
-  forPoints(axis.cells, cell, [&](Index p) { ends.push_back(axis.points[p]); });
-  return (ends.back() - ends.front()).norm();
-}
-
 /// Of the cells of a part by size; where they have none, the mean of their corners.
-Point centroid(const MedialAxis& axis, IndexLists::View cells, int corners)
+Point centroid(const PartMeasures& measures, IndexLists::View cells, int corners)
 {
+  const MedialAxis& axis = measures.axis;
   Point sum = Point::Zero(), mean = Point::Zero();
   double size = 0;
   for (const Index cell : cells)
   {
     Point middle = Point::Zero();
     forPoints(axis.cells, cell, [&](Index p) { middle += axis.points[p] / corners; });
-    const double weight = sizeOf(axis, cell);
+    const double weight = measures.sizes[cell];
     sum += weight * middle;
     mean += middle / cells.size();
     size += weight;
@@ -57,8 +39,9 @@ Point centroid(const MedialAxis& axis, IndexLists::View cells, int corners)
 
 /// The sides of a box are sqrt(12) times the standard deviations within it.
 Point principalLengths(
-  const MedialAxis& axis, IndexLists::View cells, int corners, const Point& center)
+  const PartMeasures& measures, IndexLists::View cells, int corners, const Point& center)
 {
+  const MedialAxis& axis = measures.axis;
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   double size = 0;
   for (const Index cell : cells)
@@ -71,7 +54,7 @@ Point principalLengths(
       sum += arm;
     });
     own += sum * sum.transpose();
-    const double weight = sizeOf(axis, cell);
+    const double weight = measures.sizes[cell];
     moments += weight / (corners * (corners + 1)) * own; // of a simplex
     size += weight;
   }
@@ -109,8 +92,9 @@ std::vector<Index> ascending(std::vector<Index> points, Index pointCount)
   return points;
 }
 
-MedialPart measured(const MedialAxis& axis, const Partition& partition, Index part)
+MedialPart measured(const PartMeasures& measures, const Partition& partition, Index part)
 {
+  const MedialAxis& axis = measures.axis;
   const double infinity = std::numeric_limits<double>::infinity();
   MedialPart result{};
   result.dimension = partition.dimension[part];
@@ -124,13 +108,14 @@ MedialPart measured(const MedialAxis& axis, const Partition& partition, Index pa
     if (result.dimension == 2)
     {
       ++result.triangles;
-      result.area += triangleArea(axis, cell);
+      result.area += measures.sizes[cell];
     }
     forPoints(axis.cells, cell, [&points](Index p) { points.push_back(p); });
   }
   const int corners = result.dimension + 1;
-  result.centroid = centroid(axis, partition.cells[part], corners);
-  result.principalLengths = principalLengths(axis, partition.cells[part], corners, result.centroid);
+  result.centroid = centroid(measures, partition.cells[part], corners);
+  result.principalLengths =
+    principalLengths(measures, partition.cells[part], corners, result.centroid);
   points = ascending(std::move(points), count(axis.points));
   for (const Index p : points)
   {
@@ -327,8 +312,8 @@ std::vector<ContactCurve> contactPoints(
 }
 }
 
-std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell,
-  const IndexLists& cellsOfPoint)
+std::vector<Index> partOfBall(
+  const MedialAxis& axis, const std::vector<Index>& partOfCell, const IndexLists& cellsOfPoint)
 {
   std::vector<Index> part(axis.ballOwner.size(), None), most(axis.ballOwner.size(), 0);
   std::vector<Index> parts;
@@ -417,11 +402,12 @@ MedialParts decompose(const LivingCells& living, const Partition& partition,
     {
       const Index part = task - measureCount - 1;
       const Index body = bodies.ofCell.empty() ? None : bodies.ofCell[partition.cells[part][0]];
-      result.parts[part] = measured(measures.axis, partition, part);
+      result.parts[part] = measured(measures, partition, part);
       result.parts[part].neckRatio = body == None ? 1 : bodies.neckRatio[body];
     }
   });
-  addVolumes(significances[static_cast<int>(Measure::RelativeVolume)], measures.solidVolume, result);
+  addVolumes(
+    significances[static_cast<int>(Measure::RelativeVolume)], measures.solidVolume, result);
   addMeasures(partition, significances, result);
   addContacts(result);
   execution.report(1);

@@ -77,8 +77,8 @@ std::vector<ContactCurve> contacts(const LivingCells& living, const Partition& p
 std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell);
 
 /// The same, where the cells of each point are known.
-std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell,
-  const IndexLists& cellsOfPoint);
+std::vector<Index> partOfBall(
+  const MedialAxis& axis, const std::vector<Index>& partOfCell, const IndexLists& cellsOfPoint);
 
 /// For each polar ball: does it or its owner lie on a point that a cell of the axis uses? After
 /// pruning these are the balls that make the surface (paper 5).

@@ -525,8 +525,7 @@ private:
     }
     if (this->measured != measure)
     {
-      this->significance =
-        this->measures.significance(measure, *this->current, this->execution);
+      this->significance = this->measures.significance(measure, *this->current, this->execution);
       this->measured = measure;
     }
     round.partition = this->current;

@@ -44,9 +44,11 @@ double areaOf(const MedialAxis& axis, Index cell)
   return 0.5 * (axis.points[t[1]] - a).cross(axis.points[t[2]] - a).norm();
 }
 
-std::vector<double> significance(const MedialAxis& axis, Measure measure)
+std::vector<double> significance(
+  const MedialAxis& axis, Measure measure, const medial::Execution& execution = {})
 {
-  return medial::PartMeasures(axis).significance(measure, partitionOf(axis));
+  const medial::IndexLists cells = medial::cellsOfPoints(axis.cells);
+  return medial::PartMeasures(axis, cells).significance(measure, partitionOf(axis), execution);
 }
 }
 
@@ -397,8 +399,7 @@ TEST(Measures, AreTheSameOnManyThreads)
   Pipeline& p = pipelines::of("box");
   for (const MeasureTraits& traits : allMeasures())
   {
-    EXPECT_EQ(medial::PartMeasures(p.axis()).significance(
-                traits.measure, partitionOf(p.axis()), pipelines::threaded()),
+    EXPECT_EQ(significance(p.axis(), traits.measure, pipelines::threaded()),
       significance(p.axis(), traits.measure));
   }
 }
