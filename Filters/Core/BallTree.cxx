@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BallTree.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <utility>
 
@@ -8,13 +10,13 @@ namespace medial
 {
 double boundingDiagonal(const std::vector<Ball>& balls)
 {
-  Point lower = Point::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+  Eigen::AlignedBox3d box;
   for (const Ball& ball : balls)
   {
-    lower = lower.cwiseMin(ball.center - Point::Constant(ball.radius));
-    upper = upper.cwiseMax(ball.center + Point::Constant(ball.radius));
+    box.extend(ball.center - Point::Constant(ball.radius));
+    box.extend(ball.center + Point::Constant(ball.radius));
   }
-  return balls.empty() ? 0 : (upper - lower).norm();
+  return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
 BallTree::BallTree(const std::vector<Ball>& balls, const std::vector<Index>& groups)

@@ -22,6 +22,16 @@ void requireFinite(const std::vector<Point>& points)
 }
 }
 
+Eigen::AlignedBox3d boundingBox(const std::vector<Point>& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const Point& p : points)
+  {
+    box.extend(p);
+  }
+  return box;
+}
+
 Frame frameOf(const std::vector<Point>& points)
 {
   if (points.empty())
@@ -29,13 +39,9 @@ Frame frameOf(const std::vector<Point>& points)
     throw InvalidInput("there are no samples; at least 4 points of a closed surface are needed");
   }
   requireFinite(points);
-  Point lower = points.front(), upper = points.front();
-  for (const Point& p : points)
-  {
-    lower = lower.cwiseMin(p);
-    upper = upper.cwiseMax(p);
-  }
-  const double size = 2 * (0.5 * upper - 0.5 * lower).maxCoeff();
+  const Eigen::AlignedBox3d box = boundingBox(points);
+  const Point lower = 0.5 * box.min(), upper = 0.5 * box.max(); // their difference is a double
+  const double size = 2 * (upper - lower).maxCoeff();
   if (size == 0)
   {
     throw InvalidInput("all samples are in the same place; at least 4 distinct points of a closed "
@@ -50,6 +56,6 @@ Frame frameOf(const std::vector<Point>& points)
   }
   int exponent = 0;
   std::frexp(size, &exponent);
-  return { 0.5 * lower + 0.5 * upper, std::ldexp(1.0, -exponent) };
+  return { lower + upper, std::ldexp(1.0, -exponent) };
 }
 }

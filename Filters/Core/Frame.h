@@ -4,6 +4,8 @@
 
 #include "Types.h"
 
+#include <Eigen/Geometry>
+
 #include <vector>
 
 namespace medial
@@ -20,6 +22,8 @@ struct Frame
   Ball toLocal(const Ball& b) const { return { this->toLocal(b.center), b.radius * this->scale }; }
   Ball toWorld(const Ball& b) const { return { this->toWorld(b.center), b.radius / this->scale }; }
 };
+
+Eigen::AlignedBox3d boundingBox(const std::vector<Point>& points);
 
 /// The frame of the points' bounding box, whose largest side becomes 0.5 ... 1.
 /// @throw InvalidInput  no points; a coordinate that is not finite; all points in one place; a size

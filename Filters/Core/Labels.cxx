@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Labels.h"
 
+#include "Frame.h"
 #include "Tetrahedra.h"
 
 #include <algorithm>
@@ -138,17 +139,10 @@ std::vector<Side> labels(const LabelInput& input, const Execution& execution)
 {
   std::vector<Side> sides(input.balls.size(), Side::Outer);
   Beliefs beliefs{ std::vector<std::array<float, 2>>(input.balls.size(), { 0, 0 }) };
-  Point lower = input.samples.front(), upper = input.samples.front();
-  for (const Point& sample : input.samples)
-  {
-    lower = lower.cwiseMin(sample);
-    upper = upper.cwiseMax(sample);
-  }
+  const Eigen::AlignedBox3d box = boundingBox(input.samples);
   for (std::size_t b = 0; b < sides.size(); ++b)
   {
-    const Point& center = input.balls[b].center;
-    const bool beyond =
-      (center.array() < lower.array()).any() || (center.array() > upper.array()).any();
+    const bool beyond = !box.contains(input.balls[b].center);
     beliefs.of[b][0] = input.touchesGuard[b] || beyond ? 1 : 0;
   }
   const Links network = links(pairs(input), count(input.balls));

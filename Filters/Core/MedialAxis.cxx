@@ -64,17 +64,7 @@ MedialAxis axisFromSites(
 std::vector<std::vector<Index>> neighbors(
   const PolarBalls& polarBalls, const std::vector<Index>& of)
 {
-  std::vector<std::vector<Index>> ballsOfSample(polarBalls.samples.size());
-  for (Index b = 0; b < count(polarBalls.balls); ++b)
-  {
-    if (polarBalls.sides[b] == Side::Inner)
-    {
-      for (const Index s : polarBalls.ballSamples[b])
-      {
-        ballsOfSample[s].push_back(b);
-      }
-    }
-  }
+  const std::vector<std::vector<Index>> ballsOfSample = innerBallsOfSamples(polarBalls);
   std::vector<std::vector<Index>> result(of.size());
   for (std::size_t i = 0; i < of.size(); ++i)
   {

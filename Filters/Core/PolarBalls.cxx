@@ -96,18 +96,12 @@ void requireVolume(const DistinctSamples& distinct)
 /// times the diagonal of the samples' bounding box.
 std::array<Point, 8> guards(const std::vector<Point>& points)
 {
-  Point lower = points.front(), upper = points.front();
-  for (const Point& p : points)
-  {
-    lower = lower.cwiseMin(p);
-    upper = upper.cwiseMax(p);
-  }
-  const double half = 2.5 * (upper - lower).norm();
+  const Eigen::AlignedBox3d box = boundingBox(points);
+  const double half = 2.5 * box.diagonal().norm();
   std::array<Point, 8> corners;
   for (int i = 0; i < 8; ++i)
   {
-    corners[i] =
-      0.5 * (lower + upper) + half * Point(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    corners[i] = box.center() + half * Point(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
   }
   return corners;
 }
@@ -453,6 +447,22 @@ PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execut
     }
   }
   execution.report(1);
+  return result;
+}
+
+std::vector<std::vector<Index>> innerBallsOfSamples(const PolarBalls& polarBalls)
+{
+  std::vector<std::vector<Index>> result(polarBalls.samples.size());
+  for (Index b = 0; b < count(polarBalls.balls); ++b)
+  {
+    if (polarBalls.sides[b] == Side::Inner)
+    {
+      for (const Index s : polarBalls.ballSamples[b])
+      {
+        result[s].push_back(b);
+      }
+    }
+  }
   return result;
 }
 }

@@ -45,6 +45,9 @@ struct PolarBalls
 ///                      that is not finite
 /// @throw Aborted
 PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execution = {});
+
+/// For each sample the inner balls that it lies on, ascending.
+std::vector<std::vector<Index>> innerBallsOfSamples(const PolarBalls& polarBalls);
 }
 
 #endif

@@ -155,17 +155,7 @@ std::vector<Crossing> crossings(const PolarBalls& polarBalls, const PowerShape& 
 SingularPoints singularPoints(
   const PolarBalls& polarBalls, const PowerShape& shape, const Execution& execution)
 {
-  std::vector<std::vector<Index>> ballsOfSample(polarBalls.samples.size());
-  for (Index b = 0; b < count(polarBalls.balls); ++b)
-  {
-    if (polarBalls.sides[b] == Side::Inner)
-    {
-      for (const Index s : polarBalls.ballSamples[b])
-      {
-        ballsOfSample[s].push_back(b);
-      }
-    }
-  }
+  const std::vector<std::vector<Index>> ballsOfSample = innerBallsOfSamples(polarBalls);
   SingularPoints result;
   const auto add = [&result](const Point& position, Index sample, const auto& balls) {
     result.positions.push_back(position);

@@ -69,13 +69,12 @@ struct Classifier
   const SingularPoints& sites;
   const PowerLocator& locator;
   const std::vector<double>& largestBall; ///< through each site
-  Point lower, upper;                     ///< of the samples
+  Eigen::AlignedBox3d box;                ///< of the samples
 
   void classify(Index c, SiteTriangulation& result) const
   {
     const Ball& sphere = result.spheres[c];
-    if ((sphere.center.array() < this->lower.array()).any() ||
-      (sphere.center.array() > this->upper.array()).any())
+    if (!this->box.contains(sphere.center))
     {
       return;
     }
@@ -129,12 +128,9 @@ SiteTriangulation siteTriangulation(const PolarBalls& polarBalls, const PowerSha
   const PowerLocator locator(shape.triangulation, polarBalls.balls, frame);
   const std::vector<Ball>& balls = locator.balls();
   const std::vector<double> largest = largestBalls(sites, balls);
-  Classifier classifier{ polarBalls, shape, sites, locator, largest, points[0], points[0] };
-  for (const Point& sample : polarBalls.samples)
-  {
-    classifier.lower = classifier.lower.cwiseMin(frame.toLocal(sample));
-    classifier.upper = classifier.upper.cwiseMax(frame.toLocal(sample));
-  }
+  const Eigen::AlignedBox3d box = boundingBox(polarBalls.samples);
+  const Classifier classifier{ polarBalls, shape, sites, locator, largest,
+    { frame.toLocal(box.min()), frame.toLocal(box.max()) } };
   result.spheres.resize(cellCount);
   result.onBall.assign(cellCount, None);
   result.isCore.assign(cellCount, 0);
