@@ -5,6 +5,7 @@ export DEBIAN_FRONTEND=noninteractive
 
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${MEDIAL_BUILD:-$top/build}
+meshes=$build/data/meshes
 
 build_packages=(g++ cmake ninja-build libvtk9-dev libcgal-dev libeigen3-dev)
 picture_packages=(xvfb libgl1-mesa-dri)
@@ -61,6 +62,21 @@ build_project()
   say "Building in $build"
   configure "$top" "$build" "${@:2}"
   cmake --build "$build" --target "$1"
+}
+
+# Fetches the meshes of a Debian package, among them the bunny (37,706 points), into $meshes.
+fetch_meshes()
+{
+  local unpack=$build/data/unpack
+  [ -d "$meshes" ] && return
+  say "Fetching meshes from Debian's libcgal-demo"
+  rm -rf "$unpack"
+  mkdir -p "$unpack"
+  (cd "$unpack" && apt-get download -q -o APT::Sandbox::User=root libcgal-demo &&
+    dpkg -x libcgal-demo_*.deb .)
+  tar -xzf "$unpack/usr/share/doc/libcgal-dev/data.tar.gz" -C "$unpack" data/meshes
+  mv "$unpack/data/meshes" "$meshes"
+  rm -rf "$unpack"
 }
 
 # Starts an X server of our own on a number nobody uses, until the script ends.
