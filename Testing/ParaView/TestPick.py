@@ -48,6 +48,12 @@ def picked_part_is_protected():
     assert 4 in column(servermanager.Fetch(pv.FindSource("MedialPrune2")).GetCellData(), "KeepReason")
 
 
+def measures_are_chosen():
+    rows = list(pv.FindSource("MedialPrune2").Schedule)
+    check_equal(rows[0::3], ["Area", "TriangleCount", "RelativeVolume", "ObjectAngle"], "measures")
+    check_equal(column(history(), "Measure")[0], 3, "Measure")
+
+
 def crust_has_its_axis():
     crust = pv.FindSource("PowerCrust1")
     check_equal(crust.Axis.SMProxy, pv.FindSource("MedialPrune2").SMProxy, "Axis")
@@ -59,7 +65,7 @@ def crust_has_its_axis():
 
 
 steps = [pruned_axis, nothing_is_removed, picked_part_is_removed, picked_part_is_protected,
-         crust_has_its_axis]
+         measures_are_chosen, crust_has_its_axis]
 session.step = getattr(session, "step", -1) + 1
 try:
     steps[session.step]()

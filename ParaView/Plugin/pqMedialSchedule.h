@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The table of a schedule in the panel: ParaView's own, in which a measure is chosen from the names of
+ * all measures instead of typed. A description asks for it by panel_widget="medial_schedule".
+ */
+
+#ifndef pqMedialSchedule_h
+#define pqMedialSchedule_h
+
+#include "pqStringVectorPropertyWidget.h"
+
+class pqMedialSchedule : public pqStringVectorPropertyWidget
+{
+  Q_OBJECT
+
+public:
+  pqMedialSchedule(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent = nullptr);
+};
+
+#endif
