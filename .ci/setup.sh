@@ -9,7 +9,8 @@ meshes=$build/data/meshes
 
 build_packages=(g++ cmake ninja-build libvtk9-dev libcgal-dev libeigen3-dev)
 picture_packages=(xvfb libgl1-mesa-dri)
-paraview_packages=(paraview paraview-dev libopenmpi-dev openmpi-bin libqt5svg5 qtbase5-dev)
+paraview_packages=(paraview paraview-dev libopenmpi-dev openmpi-bin libqt5svg5 qtbase5-dev
+  qttools5-dev qtxmlpatterns5-dev-tools)
 test_packages=(libgtest-dev python3-numpy universal-ctags clang-format-14)
 
 say() { printf '\n== %s\n' "$*"; }
