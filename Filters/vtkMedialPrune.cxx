@@ -2,6 +2,7 @@
 #include "vtkMedialPrune.h"
 
 #include "Conversion.h"
+#include "Refuse.h"
 #include "ReportErrors.h"
 #include "SelectedCells.h"
 
@@ -33,6 +34,7 @@ static_assert(vtkMedialPrune::TRIANGLE_COUNT == static_cast<int>(medial::Measure
 struct vtkMedialPrune::vtkLists
 {
   std::vector<medial::PruneIteration> Schedule;
+  std::string Unknown; ///< a measure of the schedule that there isn't, in words; empty: none
   std::vector<vtkIdType> PartsToRemove;
   std::vector<vtkIdType> CellsToRemove;
   std::vector<vtkIdType> PartsToProtect;
@@ -84,6 +86,7 @@ vtkMedialPrune::~vtkMedialPrune() = default;
 void vtkMedialPrune::ClearIterations()
 {
   this->Lists->Schedule.clear();
+  this->Lists->Unknown.clear();
   this->Modified();
 }
 
@@ -91,7 +94,7 @@ void vtkMedialPrune::AddIteration(int measure, double threshold, int passes)
 {
   if (!GetMeasureName(measure))
   {
-    vtkErrorMacro("AddIteration: there is no measure " << measure << "; use one of MeasureType");
+    this->RefuseMeasure(std::to_string(measure));
     return;
   }
   this->Lists->Schedule.push_back(
@@ -105,11 +108,18 @@ void vtkMedialPrune::AddIterationByName(const char* measure, double threshold, i
   const medial::MeasureTraits* traits = medial::findMeasure(name);
   if (!traits)
   {
-    vtkErrorMacro("AddIterationByName: there is no measure '" << name << "'; use one of "
-                                                              << medial::measureNames());
+    this->RefuseMeasure("'" + name + "'");
     return;
   }
   this->AddIteration(static_cast<int>(traits->measure), threshold, passes);
+}
+
+void vtkMedialPrune::RefuseMeasure(const std::string& measure)
+{
+  this->Lists->Unknown =
+    "there is no measure " + measure + " for the schedule; use one of " + medial::measureNames();
+  vtkErrorMacro(<< this->Lists->Unknown);
+  this->Modified();
 }
 
 const char* vtkMedialPrune::GetMeasureName(int measure)
@@ -236,6 +246,10 @@ int vtkMedialPrune::RequestData(
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       vtkLists lists = *this->Lists;
+      if (!this->Automatic && !lists.Unknown.empty())
+      {
+        medial::refuse(lists.Unknown);
+      }
       std::vector<vtkIdType>& cells =
         this->SelectionRole == REMOVE ? lists.CellsToRemove : lists.CellsToProtect;
       const std::vector<vtkIdType> selected = medial::selectedCells(selection, axis);

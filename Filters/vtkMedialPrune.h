@@ -62,6 +62,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 class VTKFILTERSMEDIAL_EXPORT vtkMedialPrune : public vtkPolyDataAlgorithm
 {
@@ -105,7 +106,8 @@ public:
   static const char* GetMeasureName(int measure);
 
   /**
-   * AddIteration for a measure by its name.
+   * AddIteration for a measure by its name. Where there is no such measure that is an error, here and
+   * whenever the filter runs by this schedule.
    */
   void AddIterationByName(const char* measure, double threshold, int passes = 0);
 
@@ -268,6 +270,8 @@ protected:
 private:
   vtkMedialPrune(const vtkMedialPrune&) = delete;
   void operator=(const vtkMedialPrune&) = delete;
+
+  void RefuseMeasure(const std::string& measure);
 
   struct vtkLists;
   struct vtkAxis;

@@ -731,4 +731,29 @@ TEST(MedialPrune, TakesMeasuresByName)
   EXPECT_NE(log.messages()[0].find("'Beauty'"), std::string::npos);
   EXPECT_NE(log.messages()[0].find("TriangleCount, RelativeVolume"), std::string::npos);
 }
+
+TEST(MedialPrune, DoesNotRunHalfASchedule)
+{
+  vtkNew<vtkMedialPrune> prune;
+  prune->SetInputConnection(boxPipeline().axis->GetOutputPort());
+  const filterTest::ErrorLog log(prune);
+  prune->ClearIterations();
+  prune->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, 5);
+  prune->AddIterationByName("Beauty", 2);
+  prune->Update();
+  EXPECT_EQ(prune->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_NE(prune->GetErrorCode(), 0u);
+  ASSERT_EQ(log.messages().size(), 2u);
+  EXPECT_NE(log.messages()[1].find("'Beauty'"), std::string::npos);
+
+  prune->AutomaticOn(); // doesn't need the schedule
+  prune->Update();
+  EXPECT_GT(prune->GetOutput()->GetNumberOfCells(), 0);
+  prune->AutomaticOff();
+  prune->ClearIterations();
+  prune->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, 5);
+  prune->Update();
+  EXPECT_GT(prune->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(prune->GetErrorCode(), 0u);
+}
 }
