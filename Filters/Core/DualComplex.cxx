@@ -3,6 +3,7 @@
 
 #include "DisjointSets.h"
 #include "Polygons.h"
+#include "Trimming.h"
 #include "VertexMerging.h"
 
 #include <algorithm>
@@ -207,15 +208,38 @@ void appendEdgesWithoutFace(const SiteTriangulation& sites, const OpenSet& set, 
   }
 }
 
-/// Adds the vertices as points of the axis, but for merged ones, and the midpoints; renumbers the
-/// corners of the polygons.
+/// What is to be trimmed: the vertices and the midpoints with their places.
+SheetComplex sheetComplex(const SingularPoints& singularPoints, const SiteTriangulation& sites,
+  const Frame& frame, const Vertices& vertices, const MergedVertices& merging,
+  std::vector<Point> places)
+{
+  for (const Edge& side : merging.midpoints)
+  {
+    places.push_back(0.5 * (places[side[0]] + places[side[1]]));
+  }
+  SheetComplex result{ std::move(places), vertices.ball, {}, sites.edges.edges };
+  result.ball.resize(result.points.size(), None);
+  for (const Point& site : singularPoints.positions)
+  {
+    result.sites.push_back(frame.toLocal(site));
+  }
+  return result;
+}
+
+/// Adds the vertices as points of the axis, but for merged and trimmed ones, and the midpoints; renumbers
+/// the corners of the polygons.
 void addPoints(const PolarBalls& polarBalls, const SiteTriangulation& sites, const Frame& frame,
-  const Vertices& vertices, const MergedVertices& merging, std::vector<Polygon>& polygons,
-  MedialAxis& axis)
+  const Vertices& vertices, const MergedVertices& merging, const std::vector<char>& trimmed,
+  std::vector<Polygon>& polygons, MedialAxis& axis)
 {
   std::vector<Ball> spheres;
   std::vector<Index> number;
   const auto add = [&](const Ball& sphere, Index ball) {
+    if (trimmed[number.size()])
+    {
+      number.push_back(None);
+      return;
+    }
     number.push_back(count(axis.points));
     axis.points.push_back(sphere.center);
     axis.radii.push_back(sphere.radius);
@@ -385,9 +409,11 @@ MedialAxis dualComplex(const PolarBalls& polarBalls, const SingularPoints& singu
                                   : sites.spheres[vertices.firstCell[v]].center);
   }
   const MergedVertices merging = mergeVertices(places, vertices.ball, polygons);
+  const std::vector<char> trimmed = trimSheets(
+    sheetComplex(singularPoints, sites, frame, vertices, merging, std::move(places)), polygons);
 
   MedialAxis axis{};
-  addPoints(polarBalls, sites, frame, vertices, merging, polygons, axis);
+  addPoints(polarBalls, sites, frame, vertices, merging, trimmed, polygons, axis);
   std::map<Edge, std::vector<Point>> dangling;
   EdgeSet sides, all;
   for (const Polygon& polygon : polygons)
