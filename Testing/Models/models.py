@@ -168,6 +168,18 @@ def pieces(count, links):
         label = low
 
 
+def at_edges(triangles):
+    """The triangles, edge by edge; for each edge the first one's place, and how many it has."""
+    edge, count = numpy.unique(names(edges(triangles)), return_inverse=True, return_counts=True)[1:]
+    return numpy.argsort(edge.ravel(), kind="stable") // 3, numpy.cumsum(count) - count, count
+
+
+def sheets(triangle, start, count):
+    """Labels of the triangles: the same where edges with exactly two connect them."""
+    pairs = start[count == 2]
+    return pieces(len(triangle) // 3, triangle[numpy.stack([pairs, pairs + 1], axis=1)])
+
+
 def betti(axis):
     """Pieces, tunnels and voids of the complex of an axis' cells, from their definition over Z/2."""
     vertices, lines, triangles = (cells(array, 1 + i) for i, array in enumerate(
@@ -188,12 +200,8 @@ def voids(triangles):
     So the unknowns are sheets, whose triangles go together, and the rest is linear algebra.
     """
     while True:
-        edge, count = numpy.unique(names(edges(triangles)), return_inverse=True,
-                                   return_counts=True)[1:]
-        triangle = numpy.argsort(edge.ravel(), kind="stable") // 3
-        start = numpy.cumsum(count) - count
-        pairs = start[count == 2]
-        sheet = pieces(len(triangles), triangle[numpy.stack([pairs, pairs + 1], axis=1)])
+        triangle, start, count = at_edges(triangles)
+        sheet = sheets(triangle, start, count)
         bounded = numpy.isin(sheet, sheet[triangle[start[count == 1]]])
         if not bounded.any():
             break
