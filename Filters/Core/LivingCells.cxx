@@ -2,7 +2,6 @@
 #include "LivingCells.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace medial
@@ -17,14 +16,7 @@ IndexLists cellsOfPoints(const AxisCells& cells)
   };
   Index highest = None;
   forAll([&highest](Index p, Index) { highest = std::max(highest, p); });
-  IndexLists result;
-  result.offsets.assign(highest + 2, 0);
-  forAll([&result](Index p, Index) { ++result.offsets[p + 1]; });
-  std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
-  result.items.resize(result.offsets.back());
-  std::vector<Index> next = result.offsets;
-  forAll([&](Index p, Index c) { result.items[next[p]++] = c; });
-  return result;
+  return listsByKey(highest + 1, forAll);
 }
 
 LivingCells::LivingCells(

@@ -15,23 +15,12 @@ namespace
 /// For each of `size` values the numbers of the lists that hold it.
 IndexLists listsWith(const IndexLists& lists, Index size)
 {
-  IndexLists result;
-  result.offsets.assign(size + 1, 0);
-  for (const Index value : lists.items)
-  {
-    ++result.offsets[value + 1];
-  }
-  std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
-  result.items.resize(lists.items.size());
-  std::vector<Index> next = result.offsets;
-  for (Index i = 0; i < lists.size(); ++i)
-  {
-    for (const Index value : lists[i])
+  return listsByKey(size, [&lists](const auto& body) {
+    for (Index i = 0; i < lists.size(); ++i)
     {
-      result.items[next[value]++] = i;
+      std::for_each(lists[i].begin(), lists[i].end(), [&](Index value) { body(value, i); });
     }
-  }
-  return result;
+  });
 }
 
 /// Faces that go on into one another are a piece; pieces with a face off their border are sheets, the

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 /// The medial axis of a solid given by points of its boundary, its parts, their pruning, and the
@@ -80,6 +81,21 @@ template <typename Container>
 Index count(const Container& container)
 {
   return static_cast<Index>(container.size());
+}
+
+/// List k holds the values that come with the key k, in their order.
+/// @param forAll  calls its argument(key, value) for all of them, the same each time
+template <typename ForAll>
+IndexLists listsByKey(Index keyCount, const ForAll& forAll)
+{
+  IndexLists result;
+  result.offsets.assign(keyCount + 1, 0);
+  forAll([&result](Index key, Index) { ++result.offsets[key + 1]; });
+  std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
+  result.items.resize(result.offsets.back());
+  std::vector<Index> next = result.offsets;
+  forAll([&](Index key, Index value) { result.items[next[key]++] = value; });
+  return result;
 }
 }
 
