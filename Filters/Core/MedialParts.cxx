@@ -310,6 +310,24 @@ std::vector<ContactCurve> contactPoints(
   }
   return result;
 }
+
+/// For each ball: is it or its owner at a point that is used?
+std::vector<char> ballsAtPoints(const MedialAxis& axis, const std::vector<char>& isUsed)
+{
+  std::vector<char> isThere(axis.ballOwner.size(), 0), result(isThere);
+  for (std::size_t p = 0; p < isUsed.size(); ++p)
+  {
+    if (isUsed[p] && axis.ballOfPoint[p] != None)
+    {
+      isThere[axis.ballOfPoint[p]] = 1;
+    }
+  }
+  for (std::size_t b = 0; b < result.size(); ++b)
+  {
+    result[b] = axis.ballOwner[b] != None && isThere[axis.ballOwner[b]];
+  }
+  return result;
+}
 }
 
 std::vector<Index> partOfBall(
@@ -360,12 +378,22 @@ std::vector<ContactCurve> contacts(const LivingCells& living, const Partition& p
 
 std::vector<char> keptBalls(const MedialAxis& axis)
 {
-  const std::vector<Index> one(axis.cells.size(), 0);
-  const std::vector<Index> parts = partOfBall(axis, one);
-  std::vector<char> result(parts.size());
-  std::transform(
-    parts.begin(), parts.end(), result.begin(), [](Index part) { return part != None; });
-  return result;
+  std::vector<char> isUsed(axis.points.size(), 0);
+  for (Index c = 0; c < axis.cells.size(); ++c)
+  {
+    forPoints(axis.cells, c, [&isUsed](Index p) { isUsed[p] = 1; });
+  }
+  return ballsAtPoints(axis, isUsed);
+}
+
+std::vector<char> keptBalls(const MedialAxis& axis, const LivingCells& living)
+{
+  std::vector<char> isUsed(axis.points.size(), 0);
+  for (Index p = 0; p < living.cellsOfPoint().size(); ++p)
+  {
+    isUsed[p] = living.cellsAtPoint(p) > 0;
+  }
+  return ballsAtPoints(axis, isUsed);
 }
 
 MedialParts decompose(

@@ -83,6 +83,9 @@ std::vector<Index> partOfBall(
 /// For each polar ball: does it or its owner lie on a point that a cell of the axis uses? After
 /// pruning these are the balls that make the surface (paper 5).
 std::vector<char> keptBalls(const MedialAxis& axis);
+
+/// The same where only the living cells of the axis count.
+std::vector<char> keptBalls(const MedialAxis& axis, const LivingCells& living);
 }
 
 #endif

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -81,9 +80,12 @@ Index sharedIterations(const PruneOptions& a, const PruneOptions& b)
 {
   const auto rules = [](const PruneOptions& options) {
     return std::tie(options.topology, options.removeHair, options.removeBranches, options.neckRatio,
-      options.verifyTopology, options.cellsToProtect);
+      options.cellsToProtect);
   };
-  if (a.automatic || b.automatic || rules(a) != rules(b) || a.verifyTopology)
+  const auto isMadeAnew = [](const PruneOptions& options) {
+    return options.automatic || options.verifyTopology;
+  };
+  if (isMadeAnew(a) || isMadeAnew(b) || rules(a) != rules(b))
   {
     return 0;
   }
@@ -121,8 +123,6 @@ public:
           : LivingCells(input.axis.cells, input.edges, this->limbs.ofCell))
     , collapse(this->living)
     , measures(input.measures)
-    , totalVolume(
-        std::accumulate(this->axis.ballVolumes.begin(), this->axis.ballVolumes.end(), 0.0))
     , visitedIn(this->axis.points.size(), 0)
     , metIn(this->axis.cells.size(), 0)
   {
@@ -689,22 +689,13 @@ private:
   /// Of the balls that are, or whose owner is, at a point with living cells.
   double livingVolume() const
   {
-    std::vector<char> kept(this->axis.ballOwner.size(), 0);
-    for (Index p = 0; p < this->living.cellsOfPoint().size(); ++p)
-    {
-      const Index ball = this->axis.ballOfPoint[p];
-      if (ball != None && this->living.cellsAtPoint(p) > 0)
-      {
-        kept[ball] = 1;
-      }
-    }
+    const std::vector<char> kept = keptBalls(this->axis, this->living);
     double sum = 0;
     for (std::size_t b = 0; b < kept.size(); ++b)
     {
-      const Index owner = this->axis.ballOwner[b];
-      sum += owner != None && kept[owner] ? this->axis.ballVolumes[b] : 0;
+      sum += kept[b] ? this->axis.ballVolumes[b] : 0;
     }
-    return this->totalVolume > 0 ? sum / this->totalVolume : 0;
+    return this->measures.solidVolume > 0 ? sum / this->measures.solidVolume : 0;
   }
 
   std::vector<Index> livingCells() const
@@ -769,12 +760,11 @@ private:
   std::shared_ptr<Partition> current; ///< of the living cells, until something goes
   std::optional<Measure> measured;    ///< what is known of the current parts
   std::vector<double> significance;   ///< of the current parts in this measure
-  double totalVolume;
-  double volume;                ///< of the living cells, relative
-  Betti verified{};             ///< the last Betti numbers, where every removal is verified
-  bool countsTogether = false;  ///< what one part loses after the other
-  std::vector<Index> visitedIn; ///< for each point the last of the walks that came there
-  std::vector<Index> metIn;     ///< for each part the last of the walks that met it
+  double volume;                      ///< of the living cells, relative
+  Betti verified{};                   ///< the last Betti numbers, where every removal is verified
+  bool countsTogether = false;        ///< what one part loses after the other
+  std::vector<Index> visitedIn;       ///< for each point the last of the walks that came there
+  std::vector<Index> metIn;           ///< for each part the last of the walks that met it
   Index walks = 0;
   std::map<Index, double> inherited; ///< by cell, in the measure of the iteration
   Pruned result;
