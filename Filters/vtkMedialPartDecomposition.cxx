@@ -38,11 +38,8 @@ int vtkMedialPartDecomposition::RequestData(
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::MedialAxis axis = medial::readMedialAxis(input);
-      const medial::Bodies bodies = this->SplitAtNecks
-        ? medial::bodies(axis, medial::axisEdges(axis.cells), this->NeckRatio)
-        : medial::Bodies{};
-      const medial::MedialParts parts =
-        medial::decompose(axis, this->MaximumLevel, execution, bodies);
+      const medial::MedialParts parts = medial::decompose(
+        axis, this->MaximumLevel, execution, this->SplitAtNecks ? this->NeckRatio : 0);
       medial::write(parts, input, output, table, contacts);
       medial::write(medial::topologyGraph(axis, parts), parts, graph);
     });

@@ -397,12 +397,13 @@ std::vector<char> keptBalls(const MedialAxis& axis, const LivingCells& living)
 }
 
 MedialParts decompose(
-  const MedialAxis& axis, int maximumLevel, const Execution& execution, const Bodies& bodies)
+  const MedialAxis& axis, int maximumLevel, const Execution& execution, double neckRatio)
 {
   const AxisEdges edges = axisEdges(axis.cells);
-  LivingCells living(axis.cells, edges, bodies.ofCell);
+  const Bodies limbs = neckRatio > 0 ? bodies(axis, edges, neckRatio) : Bodies{};
+  LivingCells living(axis.cells, edges, limbs.ofCell);
   const PartMeasures measures(axis, living.cellsOfPoint());
-  return decompose(living, partition(living, maximumLevel), measures, execution, bodies);
+  return decompose(living, partition(living, maximumLevel), measures, execution, limbs);
 }
 
 MedialParts decompose(const LivingCells& living, const Partition& partition,

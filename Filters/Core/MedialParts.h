@@ -59,13 +59,14 @@ struct MedialParts
 ///
 /// Every ball is counted in one part, so the relative volumes sum to 1.
 /// @param maximumLevel  parts above it get level 0; 0 or less: no limit
-/// @param bodies        of the axis, that no part crosses; none: no such bounds
+/// @param neckRatio     parts are cut at necks, too, see Necks.h; 0: they aren't
 MedialParts decompose(const MedialAxis& axis, int maximumLevel = 0, const Execution& execution = {},
-  const Bodies& bodies = {});
+  double neckRatio = 0);
 
 /// The same of the living cells of an axis alone; the others are in no part.
 /// @param partition  of these cells
 /// @param measures   of this axis
+/// @param bodies     that bound the parts; none: nothing does
 MedialParts decompose(const LivingCells& living, const Partition& partition,
   const PartMeasures& measures, const Execution& execution = {}, const Bodies& bodies = {});
 

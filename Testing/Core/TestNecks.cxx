@@ -156,7 +156,7 @@ TEST(Necks, BoundTheParts)
 {
   const MedialAxis axis = band(step);
   const Bodies bodies = bodiesOf(axis, 0.5);
-  const MedialParts parts = medial::decompose(axis, 0, {}, bodies);
+  const MedialParts parts = medial::decompose(axis, 0, {}, 0.5);
   ASSERT_EQ(parts.parts.size(), 2u);
   EXPECT_EQ(parts.partOfCell, bodies.ofCell);
   EXPECT_EQ(parts.parts[1].neckRatio, bodies.neckRatio[1]);
