@@ -15,8 +15,8 @@
  * who has what. Without MPI all blocks are passed.
  *
  * Field data of each block
- *  - `ObjectId` (vtkIdType, 1 value): its number in the collection, from 0, empty blocks too. It tells the filters
- *    after this one that the block is a whole object, and is passed on by them.
+ *  - `ObjectId` (vtkIdType, 1 value): its number in the collection, from 0, empty blocks too. It
+ *    tells the filters after this one that the block is a whole object, and is passed on by them.
  *
  * @sa vtkPolarBalls vtkSimplifyShape
  */

@@ -4,8 +4,6 @@
 #include "BallTree.h"
 #include "MedialParts.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <numeric>
 
@@ -59,8 +57,7 @@ std::vector<double> sizesOfCells(const MedialAxis& axis)
   }
   for (const Triangle& t : axis.cells.triangles)
   {
-    const Point& a = points[t[0]];
-    sizes.push_back(0.5 * (points[t[1]] - a).cross(points[t[2]] - a).norm());
+    sizes.push_back(triangleArea(axis, t));
   }
   return sizes;
 }

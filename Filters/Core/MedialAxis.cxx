@@ -10,6 +10,8 @@
 #include "SingularPoints.h"
 #include "SiteTriangulation.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
@@ -120,6 +122,12 @@ std::vector<Index> owners(const PolarBalls& polarBalls, const std::vector<Index>
   }
   return owner;
 }
+}
+
+double triangleArea(const MedialAxis& axis, const Triangle& corners)
+{
+  const Point& a = axis.points[corners[0]];
+  return 0.5 * (axis.points[corners[1]] - a).cross(axis.points[corners[2]] - a).norm();
 }
 
 std::vector<Ball> cornerBalls(const MedialAxis& axis, Index cell)

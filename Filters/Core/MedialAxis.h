@@ -99,6 +99,8 @@ MedialAxis medialAxis(
 /// @param betti  of these cells; the certificate follows
 MedialAxis withCells(MedialAxis axis, const std::vector<Index>& cells, const Betti& betti);
 
+double triangleArea(const MedialAxis& axis, const Triangle& corners);
+
 /// The maximal balls at the corners of a cell.
 std::vector<Ball> cornerBalls(const MedialAxis& axis, Index cell);
 

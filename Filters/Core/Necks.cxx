@@ -3,8 +3,6 @@
 
 #include "BallTree.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -104,8 +102,9 @@ private:
       corners.begin(), corners.end(), [this](Index a, Index b) { return this->isThicker(a, b); });
   }
 
-  /// Cuts what is left into pieces, at its gaps and, next to a growth, at its dips: each point goes to the peak that the
-  /// steepest way up leads to, and the lower one of two peaks is none if there is no dip on the way.
+  /// Cuts what is left into pieces, at its gaps and, next to a growth, at its dips: each point goes to
+  /// the peak that the steepest way up leads to, and the lower one of two peaks is none if there is no
+  /// dip on the way.
   void addPieces(std::vector<Index> points, Index nextTo)
   {
     std::sort(
@@ -210,17 +209,12 @@ private:
   /// Is the border of what has grown with all outside its piece short for its area?
   bool isCutShort(const std::vector<Index>& grown, Index number) const
   {
-    const std::vector<Point>& points = this->axis.points;
     double area = 0, cut = 0;
     for (const Index p : grown)
     {
       for (const Index t : this->trianglesOfPoint[p])
       {
-        const Triangle& corners = this->axis.cells.triangles[t];
-        area += 0.5 *
-          (points[corners[1]] - points[corners[0]])
-            .cross(points[corners[2]] - points[corners[0]])
-            .norm();
+        area += triangleArea(this->axis, this->axis.cells.triangles[t]);
         for (const Index e : this->edges.ofTriangle[t])
         {
           cut += this->isBorder(e, t, number) ? this->length(e) : 0;
