@@ -21,7 +21,7 @@ rule()
 cgal_outside_core()
 {
   grep -nE '#[[:space:]]*include[[:space:]]*[<"]CGAL/' "${sources[@]}" |
-    grep -vE '^Filters/Core/[A-Za-z]+\.cxx:' || true
+    grep -vE '^Filters/Core/[A-Za-z]+/[A-Za-z]+\.cxx:' || true
 }
 
 vtk_in_core()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCollectParts.h"
 
-#include "CollectParts.h"
-#include "ReportErrors.h"
+#include "Collections/CollectParts.h"
+#include "Pipeline/ReportErrors.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTypes.h"

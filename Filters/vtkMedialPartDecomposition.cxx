@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMedialPartDecomposition.h"
 
-#include "Conversion.h"
-#include "ReportErrors.h"
+#include "Conversion/Axis.h"
+#include "Conversion/Parts.h"
+#include "Pipeline/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

@@ -93,7 +93,7 @@ public:
   /**
    * Cut parts at necks too: limbs that the paper's parts leave on the rest, as a bunny's feet, become
    * parts of their own. A limb's largest radius is at most NeckRatio times that of what it is cut
-   * off; see Core/Necks.h. Prune noise away first. Default off, 0.5.
+   * off; see Core/Parts/Necks.h. Prune noise away first. Default off, 0.5.
    */
   vtkSetMacro(SplitAtNecks, bool);
   vtkGetMacro(SplitAtNecks, bool);

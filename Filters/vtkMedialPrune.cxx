@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMedialPrune.h"
 
-#include "Conversion.h"
-#include "Refuse.h"
-#include "ReportErrors.h"
-#include "SelectedCells.h"
+#include "Base/Errors.h"
+#include "Conversion/Axis.h"
+#include "Conversion/Parts.h"
+#include "Conversion/Pruned.h"
+#include "Conversion/SelectedCells.h"
+#include "Pipeline/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -248,7 +250,7 @@ int vtkMedialPrune::RequestData(
       vtkLists lists = *this->Lists;
       if (!this->Automatic && !lists.Unknown.empty())
       {
-        medial::refuse(lists.Unknown);
+        throw medial::InvalidInput(lists.Unknown);
       }
       std::vector<vtkIdType>& cells =
         this->SelectionRole == REMOVE ? lists.CellsToRemove : lists.CellsToProtect;

@@ -136,7 +136,7 @@ public:
   /**
    * Cut parts at necks too: limbs that the paper's parts leave on the rest, as a bunny's feet, become
    * parts of their own. The necks are those of the input. A limb's largest radius is at most NeckRatio
-   * times that of what it is cut off; see Core/Necks.h. Prune noise away first. Default off, 0.5.
+   * times that of what it is cut off; see Core/Parts/Necks.h. Prune noise away first. Default off, 0.5.
    */
   vtkSetMacro(SplitAtNecks, bool);
   vtkGetMacro(SplitAtNecks, bool);

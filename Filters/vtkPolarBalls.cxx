@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolarBalls.h"
 
-#include "Conversion.h"
-#include "PowerShape.h"
-#include "ReportErrors.h"
+#include "Balls/PowerShape.h"
+#include "Conversion/Balls.h"
+#include "Pipeline/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPowerCrust.h"
 
-#include "Conversion.h"
-#include "Objects.h"
-#include "ReportErrors.h"
+#include "Collections/Objects.h"
+#include "Conversion/Axis.h"
+#include "Conversion/Balls.h"
+#include "Conversion/Crust.h"
+#include "Conversion/Parts.h"
+#include "Pipeline/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

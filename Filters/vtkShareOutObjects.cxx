@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShareOutObjects.h"
 
-#include "Objects.h"
+#include "Collections/Objects.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"

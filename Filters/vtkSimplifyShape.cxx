@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSimplifyShape.h"
 
-#include "ReportErrors.h"
-#include "RunStage.h"
+#include "Pipeline/ReportErrors.h"
+#include "Pipeline/RunStage.h"
 #include "vtkMedialAxis.h"
 #include "vtkMedialPartDecomposition.h"
 #include "vtkMedialPrune.h"

@@ -2,7 +2,7 @@
 #ifndef Complexes_h
 #define Complexes_h
 
-#include "MedialAxis.h"
+#include "Axis/MedialAxis.h"
 #include "Validators.h"
 
 #include <algorithm>

@@ -2,15 +2,15 @@
 #ifndef Pipelines_h
 #define Pipelines_h
 
+#include "Axis/MedialAxis.h"
+#include "Axis/SingularPoints.h"
+#include "Balls/PolarBalls.h"
+#include "Balls/PowerShape.h"
 #include "Complexes.h"
-#include "MedialAxis.h"
-#include "MedialParts.h"
-#include "PolarBalls.h"
-#include "PowerCrust.h"
-#include "PowerShape.h"
-#include "Pruning.h"
+#include "Crust/PowerCrust.h"
+#include "Parts/MedialParts.h"
+#include "Pruning/Pruning.h"
 #include "Shapes.h"
-#include "SingularPoints.h"
 #include "Validators.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #ifndef Shapes_h
 #define Shapes_h
 
-#include "Types.h"
+#include "Base/Types.h"
 
 #include <functional>
 #include <string>

@@ -2,7 +2,7 @@
 #ifndef Validators_h
 #define Validators_h
 
-#include "Types.h"
+#include "Base/Types.h"
 
 #include <vector>
 

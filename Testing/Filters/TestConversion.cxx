@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What Conversion writes it reads back. (Compiled in: the library doesn't export it.)
-#include "../../Filters/Conversion.h"
+#include "Conversion/Axis.h"
+#include "Conversion/Balls.h"
+#include "Conversion/Parts.h"
 
 #include "FilterTest.h"
 

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Collections/Objects.h"
+
+#include "Base/Errors.h"
+#include "Conversion/ArrayNames.h"
+#include "Conversion/Arrays.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace medial
+{
+namespace
+{
+/// For each object its rank.
+std::vector<int> ranksOf(const std::vector<vtkIdType>& sizes, int rankCount)
+{
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&sizes](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+  std::vector<vtkIdType> loads(rankCount, 0);
+  std::vector<int> result(sizes.size());
+  for (const std::size_t object : order)
+  {
+    const auto least = std::min_element(loads.begin(), loads.end());
+    result[object] = static_cast<int>(least - loads.begin());
+    *least += sizes[object];
+  }
+  return result;
+}
+
+bool sameNumbers(vtkDataArray* a, vtkDataArray* b)
+{
+  if (!a || !b || a->GetNumberOfTuples() != b->GetNumberOfTuples() ||
+    a->GetNumberOfComponents() != b->GetNumberOfComponents())
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; a != b && i < a->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < a->GetNumberOfComponents(); ++c)
+    {
+      if (a->GetComponent(i, c) != b->GetComponent(i, c))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+}
+
+vtkSmartPointer<vtkCompositeDataIterator> firstBlock(vtkCompositeDataSet* data)
+{
+  auto block = vtkSmartPointer<vtkCompositeDataIterator>::Take(data->NewIterator());
+  block->SkipEmptyNodesOff();
+  block->InitTraversal();
+  return block;
+}
+
+void shareOut(vtkCompositeDataSet* input, int rank, int rankCount, vtkCompositeDataSet* output)
+{
+  output->CopyStructure(input);
+  std::vector<vtkIdType> sizes;
+  for (auto block = firstBlock(input); !block->IsDoneWithTraversal(); block->GoToNextItem())
+  {
+    vtkDataObject* data = block->GetCurrentDataObject();
+    sizes.push_back(data ? data->GetNumberOfElements(vtkDataObject::POINT) : 0);
+  }
+  const std::vector<int> ranks = ranksOf(sizes, rankCount);
+  vtkIdType object = 0;
+  for (auto block = firstBlock(input); !block->IsDoneWithTraversal(); block->GoToNextItem())
+  {
+    vtkDataObject* data = block->GetCurrentDataObject();
+    if (data && ranks[object] == rank)
+    {
+      const auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+      copy->ShallowCopy(data);
+      addOne<vtkIdTypeArray>(copy->GetFieldData(), names::ObjectId, object);
+      output->SetDataSet(block, copy);
+    }
+    ++object;
+  }
+}
+
+bool isSharedOut(vtkDataObject* data)
+{
+  return data && data->GetFieldData() && data->GetFieldData()->HasArray(names::ObjectId);
+}
+
+vtkPolyData* axisOf(vtkUnstructuredGrid* balls, vtkDataObject* axes)
+{
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(axes);
+  if (!blocks)
+  {
+    return vtkPolyData::SafeDownCast(axes);
+  }
+  vtkDataArray* samples = balls->GetFieldData()->GetArray(names::Samples);
+  for (auto block = firstBlock(blocks); !block->IsDoneWithTraversal(); block->GoToNextItem())
+  {
+    auto* axis = vtkPolyData::SafeDownCast(block->GetCurrentDataObject());
+    if (axis && sameNumbers(samples, axis->GetFieldData()->GetArray(names::Samples)))
+    {
+      return axis;
+    }
+  }
+  throw InvalidInput(
+    "no block of the axis was made from these balls: take the blocks that vtkMedialAxis or "
+    "vtkMedialPrune made from them");
+}
+}

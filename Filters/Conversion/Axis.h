@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Conversion_Axis_h
+#define Conversion_Axis_h
+
+#include "Axis/MedialAxis.h"
+#include "Balls/PolarBalls.h"
+
+#include <vector>
+
+class vtkFieldData;
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace medial
+{
+/// What to do about an axis that doesn't fit.
+constexpr const char* TakeMedialAxis =
+  "take the output of vtkMedialAxis or a later filter as it is (files of an earlier version lack "
+  "arrays: make them again)";
+
+/// @param balls  what the axis is made from; its field data is passed on
+void write(const MedialAxis& axis, vtkUnstructuredGrid* balls, vtkPolyData* output);
+MedialAxis readMedialAxis(vtkPolyData* input);
+
+/// Adds the field data that changes with the cells of the axis.
+void addTopology(vtkFieldData* field, const MedialAxis& axis);
+
+/// @throw InvalidInput  `axis` was made from other balls
+void checkSameBalls(const MedialAxis& axis, const PolarBalls& balls);
+}
+
+#endif

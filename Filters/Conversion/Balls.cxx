@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Conversion/Balls.h"
+
+#include "Base/Errors.h"
+#include "Conversion/ArrayNames.h"
+#include "Conversion/Arrays.h"
+#include "Conversion/Cells.h"
+
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace medial
+{
+namespace
+{
+std::vector<Tetrahedron> readTetrahedra(vtkUnstructuredGrid* input, Index pointCount)
+{
+  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
+  {
+    if (input->GetCellType(i) != VTK_TETRA)
+    {
+      throw InvalidInput("cell ", i, " is no tetrahedron: ", TakePolarBalls);
+    }
+  }
+  return readCells<4>(input->GetCells(), pointCount, TakePolarBalls);
+}
+
+void addInnerRadii(vtkFieldData* data, const PolarBalls& balls)
+{
+  std::vector<double> radii;
+  for (const Ball& ball : balls.balls)
+  {
+    radii.push_back(balls.sides[radii.size()] == Side::Inner ? ball.radius : 0);
+  }
+  add<vtkDoubleArray>(data, names::InnerRadius, radii);
+}
+
+void addSamples(vtkFieldData* field, const PolarBalls& balls)
+{
+  field->AddArray(tuples<vtkDoubleArray>(names::Samples, 3, balls.samples));
+  add<vtkIdTypeArray>(field, names::DuplicateOf, balls.duplicateOf);
+  add<vtkIdTypeArray>(field, names::SampleInnerBall, balls.innerBall);
+  add<vtkIdTypeArray>(field, names::SampleOuterBall, balls.outerBall);
+  add<vtkDoubleArray>(field, names::SamplingQuality, balls.samplingQuality);
+  add<vtkIdTypeArray>(field, names::BallSampleOffsets, balls.ballSamples.offsets);
+  add<vtkIdTypeArray>(field, names::BallSamples, balls.ballSamples.items);
+}
+
+void addCounts(vtkFieldData* field, const PolarBalls& balls)
+{
+  const std::vector<Index>& duplicates = balls.duplicateOf;
+  const auto unique = std::count(duplicates.begin(), duplicates.end(), None);
+  const auto ballsOn = [&](Side side) {
+    return std::count(balls.sides.begin(), balls.sides.end(), side);
+  };
+  addOne<vtkIdTypeArray>(field, names::NumberOfSamples, count(balls.samples));
+  addOne<vtkIdTypeArray>(field, names::NumberOfDuplicates, count(duplicates) - unique);
+  addOne<vtkIdTypeArray>(field, names::NumberOfInnerBalls, ballsOn(Side::Inner));
+  addOne<vtkIdTypeArray>(field, names::NumberOfOuterBalls, ballsOn(Side::Outer));
+  addOne<vtkIdTypeArray>(field, names::NumberOfHiddenBalls, ballsOn(Side::Hidden));
+  addOne<vtkDoubleArray>(field, names::SampleSpacing, balls.spacing);
+}
+}
+
+std::vector<Point> readSamples(vtkPointSet* input)
+{
+  return readPoints(input);
+}
+
+void write(
+  const PolarBalls& balls, const Betti& powerShape, vtkPointSet* input, vtkUnstructuredGrid* output)
+{
+  output->SetPoints(points(balls.balls, [](const Ball& ball) { return ball.center; }));
+  output->SetCells(VTK_TETRA, cellArray(balls.cells));
+  vtkPointData* ballData = output->GetPointData();
+  add<vtkDoubleArray>(ballData, names::Radius, balls.balls, &Ball::radius);
+  addInnerRadii(ballData, balls);
+  add<vtkUnsignedCharArray>(ballData, names::Side, balls.sides);
+  ballData->SetActiveScalars(names::InnerRadius);
+  add<vtkUnsignedCharArray>(ballData, names::TouchesGuard, balls.touchesGuard);
+  add<vtkDoubleArray>(ballData, names::Volume, balls.volumes);
+  add<vtkDoubleArray>(ballData, names::PoleVolume, balls.poleVolumes);
+  vtkFieldData* field = output->GetFieldData();
+  field->PassData(input->GetFieldData());
+  addSamples(field, balls);
+  addCounts(field, balls);
+  addBetti(field, names::BettiPowerShape, powerShape);
+}
+
+PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
+{
+  const Arrays points(input->GetPointData(), "point", TakePolarBalls);
+  const Arrays field(input->GetFieldData(), "field", TakePolarBalls);
+  const Index ballCount = toIndex(input->GetNumberOfPoints(), "balls");
+  PolarBalls result;
+  const std::vector<double> radii = points.reals(names::Radius, ballCount, 0);
+  for (const Point& center : readFinitePoints(input, TakePolarBalls))
+  {
+    result.balls.push_back({ center, radii[result.balls.size()] });
+  }
+  for (const Index side : points.indices(names::Side, ballCount, 0, 3))
+  {
+    result.sides.push_back(static_cast<Side>(side));
+  }
+  result.touchesGuard = points.flags(names::TouchesGuard, ballCount);
+  result.volumes = points.reals(names::Volume, ballCount, 0);
+  result.poleVolumes = points.reals(names::PoleVolume, ballCount, 0);
+
+  const std::vector<double> samples =
+    field.reals(names::Samples, AnyCount, std::numeric_limits<double>::lowest(), 3);
+  for (std::size_t i = 0; i < samples.size(); i += 3)
+  {
+    result.samples.emplace_back(samples[i], samples[i + 1], samples[i + 2]);
+  }
+  const Index sampleCount = toIndex(static_cast<vtkIdType>(result.samples.size()), "samples");
+  result.duplicateOf = field.indices(names::DuplicateOf, sampleCount, None, sampleCount);
+  result.innerBall = field.indices(names::SampleInnerBall, sampleCount, None, ballCount);
+  result.outerBall = field.indices(names::SampleOuterBall, sampleCount, None, ballCount);
+  result.samplingQuality = field.reals(names::SamplingQuality, sampleCount);
+  result.ballSamples =
+    field.lists(names::BallSampleOffsets, names::BallSamples, ballCount, sampleCount);
+  result.spacing = field.reals(names::SampleSpacing, 1, std::numeric_limits<double>::min()).front();
+  result.cells = readTetrahedra(input, ballCount);
+  return result;
+}
+}

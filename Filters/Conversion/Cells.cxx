@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Conversion/Cells.h"
+
+#include "Base/Errors.h"
+
+#include "vtkPointSet.h"
+
+namespace medial
+{
+std::vector<Point> readPoints(vtkPointSet* input)
+{
+  std::vector<Point> result(toIndex(input->GetNumberOfPoints(), "points"));
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    input->GetPoint(static_cast<vtkIdType>(i), result[i].data());
+  }
+  return result;
+}
+
+std::vector<Point> readFinitePoints(vtkPointSet* input, const char* remedy)
+{
+  std::vector<Point> result = readPoints(input);
+  const auto bad = std::find_if(
+    result.begin(), result.end(), [](const Point& point) { return !point.allFinite(); });
+  if (bad != result.end())
+  {
+    throw InvalidInput(
+      "point ", bad - result.begin(), " has a coordinate that is not finite: ", remedy);
+  }
+  return result;
+}
+}

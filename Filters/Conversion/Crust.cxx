@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Conversion/Crust.h"
+
+#include "Conversion/ArrayNames.h"
+#include "Conversion/Arrays.h"
+#include "Conversion/Cells.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace medial
+{
+void write(const Crust& crust, const std::vector<Index>& partOfBall, vtkUnstructuredGrid* balls,
+  vtkPolyData* output)
+{
+  output->SetPoints(points(crust.points));
+  output->SetPolys(cellArray(crust.faces));
+  add<vtkIdTypeArray>(output->GetPointData(), names::SampleId, crust.sampleOfPoint);
+  vtkCellData* cells = output->GetCellData();
+  add<vtkIdTypeArray>(cells, names::InnerBall, crust.innerBall);
+  add<vtkIdTypeArray>(cells, names::OuterBall, crust.outerBall);
+  add<vtkIdTypeArray>(cells, names::PartId, crust.innerBall,
+    [&](Index ball) { return partOfBall.empty() ? None : partOfBall[ball]; });
+  vtkFieldData* field = output->GetFieldData();
+  field->PassData(balls->GetFieldData());
+  addBetti(field, names::BettiCrust, crust.betti);
+  addOne<vtkUnsignedCharArray>(field, names::Closed, crust.closed);
+  addOne<vtkUnsignedCharArray>(field, names::Manifold, crust.manifold);
+  addOne<vtkDoubleArray>(field, names::Volume, crust.volume);
+  addOne<vtkIdTypeArray>(field, names::InsertedBalls, crust.insertedBalls);
+  addOne<vtkIdTypeArray>(field, names::RefusedBalls, crust.refusedBalls);
+  addOne<vtkIdTypeArray>(field, names::Rounds, crust.rounds);
+  addOne<vtkDoubleArray>(field, names::MaximumClearance, crust.maximumClearance);
+}
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Conversion_Crust_h
+#define Conversion_Crust_h
+
+#include "Crust/PowerCrust.h"
+
+#include <vector>
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace medial
+{
+/// @param partOfBall  empty: no ball has a part
+/// @param balls       what the crust is made from; its field data is passed on
+void write(const Crust& crust, const std::vector<Index>& partOfBall, vtkUnstructuredGrid* balls,
+  vtkPolyData* output);
+}
+
+#endif

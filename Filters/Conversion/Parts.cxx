@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Conversion/Parts.h"
+
+#include "Base/Errors.h"
+#include "Conversion/ArrayNames.h"
+#include "Conversion/Arrays.h"
+#include "Conversion/Cells.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <array>
+#include <numeric>
+#include <set>
+
+namespace medial
+{
+namespace
+{
+constexpr const char* TakeParts = "take the output of vtkMedialPartDecomposition or vtkMedialPrune";
+
+void addPartTable(vtkFieldData* rows, const std::vector<MedialPart>& parts)
+{
+  std::vector<Index> numbers(parts.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  add<vtkIdTypeArray>(rows, names::PartId, numbers);
+  add<vtkIntArray>(rows, names::Dimension, parts, &MedialPart::dimension);
+  add<vtkIntArray>(rows, names::Level, parts, &MedialPart::level);
+  add<vtkIdTypeArray>(rows, names::Triangles, parts, &MedialPart::triangles);
+  add<vtkDoubleArray>(rows, names::Area, parts, &MedialPart::area);
+  add<vtkDoubleArray>(rows, names::Volume, parts, &MedialPart::volume);
+  add<vtkDoubleArray>(rows, names::RelativeVolume, parts, &MedialPart::relativeVolume);
+  add<vtkDoubleArray>(rows, names::MeanRadius, parts, &MedialPart::meanRadius);
+  add<vtkDoubleArray>(rows, names::MinimumRadius, parts, &MedialPart::minimumRadius);
+  add<vtkDoubleArray>(rows, names::MaximumRadius, parts, &MedialPart::maximumRadius);
+  add<vtkDoubleArray>(rows, names::PoleVolume, parts, &MedialPart::poleVolume);
+  add<vtkDoubleArray>(rows, names::ObjectAngle, parts, &MedialPart::objectAngle);
+  add<vtkDoubleArray>(rows, names::Lambda, parts, &MedialPart::lambda);
+  add<vtkDoubleArray>(rows, names::ErosionThickness, parts, &MedialPart::erosionThickness);
+  add<vtkDoubleArray>(rows, names::HausdorffDistance, parts, &MedialPart::hausdorffDistance);
+  add<vtkIdTypeArray>(rows, names::Contacts, parts, &MedialPart::contacts);
+  add<vtkIdTypeArray>(rows, names::Neighbors, parts, &MedialPart::neighbors);
+  add<vtkDoubleArray>(rows, names::NeckRatio, parts, &MedialPart::neckRatio);
+  add<vtkUnsignedCharArray>(rows, names::OnLoop, parts, &MedialPart::onLoop);
+  rows->AddArray(tuples<vtkDoubleArray>(names::Bounds, 6, parts, [](const MedialPart& part) {
+    const Point &from = part.lower, &to = part.upper;
+    return std::array{ from.x(), to.x(), from.y(), to.y(), from.z(), to.z() };
+  }));
+  rows->AddArray(tuples<vtkDoubleArray>(
+    names::Centroid, 3, parts, [](const MedialPart& part) { return part.centroid; }));
+  rows->AddArray(tuples<vtkDoubleArray>(names::PrincipalLengths, 3, parts,
+    [](const MedialPart& part) { return part.principalLengths; }));
+}
+
+/// A vertex for each contact of one point, a polyline for each other, with its number.
+void addContacts(const std::vector<ContactCurve>& contacts, vtkPolyData* output)
+{
+  std::vector<std::vector<Index>> vertices, lines;
+  std::vector<Index> numbers, lineNumbers;
+  IndexLists parts;
+  for (Index i = 0; i < count(contacts); ++i)
+  {
+    const ContactCurve& curve = contacts[i];
+    const bool isPoint = curve.points.size() == 1;
+    (isPoint ? vertices : lines).push_back(curve.points);
+    (isPoint ? numbers : lineNumbers).push_back(i);
+    parts.items.insert(parts.items.end(), curve.parts.begin(), curve.parts.end());
+    parts.close();
+  }
+  numbers.insert(numbers.end(), lineNumbers.begin(), lineNumbers.end());
+  output->SetVerts(cellArray(vertices));
+  output->SetLines(cellArray(lines));
+  add<vtkIdTypeArray>(output->GetCellData(), names::ContactId, numbers);
+  add<vtkIdTypeArray>(output->GetFieldData(), names::ContactPartOffsets, parts.offsets);
+  add<vtkIdTypeArray>(output->GetFieldData(), names::ContactParts, parts.items);
+}
+}
+
+void addParts(vtkCellData* cells, vtkFieldData* field, const MedialParts& parts)
+{
+  const auto ofPart = [&](auto member) {
+    return [&parts, member](Index part) { return parts.parts[part].*member; };
+  };
+  const std::vector<Index>& partOfCell = parts.partOfCell;
+  add<vtkIdTypeArray>(cells, names::PartId, partOfCell);
+  cells->SetActiveScalars(names::PartId);
+  add<vtkIntArray>(cells, names::PartLevel, partOfCell, ofPart(&MedialPart::level));
+  add<vtkIdTypeArray>(cells, names::TriangleCount, partOfCell, ofPart(&MedialPart::triangles));
+  const auto addMeasure = [&](const char* name, double MedialPart::*member) {
+    add<vtkDoubleArray>(cells, name, partOfCell, ofPart(member));
+  };
+  addMeasure(names::RelativeVolume, &MedialPart::relativeVolume);
+  addMeasure(names::PartPoleVolume, &MedialPart::poleVolume);
+  addMeasure(names::PartArea, &MedialPart::area);
+  addMeasure(names::PartMeanRadius, &MedialPart::meanRadius);
+  addMeasure(names::PartMaximumRadius, &MedialPart::maximumRadius);
+  addMeasure(names::PartObjectAngle, &MedialPart::objectAngle);
+  addMeasure(names::PartLambda, &MedialPart::lambda);
+  addMeasure(names::PartErosionThickness, &MedialPart::erosionThickness);
+  addMeasure(names::PartHausdorffDistance, &MedialPart::hausdorffDistance);
+  addOne<vtkIdTypeArray>(field, names::NumberOfParts, count(parts.parts));
+  const auto suggested = tuples<vtkDoubleArray>(names::SuggestedThreshold,
+    static_cast<int>(allMeasures().size()), std::array{ parts.suggestedThresholds });
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    suggested->SetComponentName(static_cast<int>(traits.measure), traits.name);
+  }
+  field->AddArray(suggested);
+}
+
+void write(const MedialParts& parts, vtkPolyData* axis, vtkPolyData* output, vtkTable* table,
+  vtkPolyData* contacts)
+{
+  output->ShallowCopy(axis);
+  addParts(output->GetCellData(), output->GetFieldData(), parts);
+  addPartTable(table->GetRowData(), parts.parts);
+  contacts->SetPoints(axis->GetPoints());
+  contacts->GetPointData()->PassData(axis->GetPointData());
+  addContacts(parts.contacts, contacts);
+}
+
+void write(const TopologyGraph& graph, const MedialParts& parts, vtkPolyData* output)
+{
+  const Index nodeCount = graph.partsOfNode.size(), partCount = graph.nodesOfPart.size();
+  std::vector<Point> places = graph.nodeCentroids;
+  std::vector<Index> node, part, degree;
+  std::vector<std::array<Index, 1>> vertices;
+  std::vector<Edge> lines;
+  for (Index i = 0; i < nodeCount; ++i)
+  {
+    node.push_back(i);
+    part.push_back(None);
+    degree.push_back(graph.partsOfNode[i].size());
+    vertices.push_back({ i });
+  }
+  for (Index i = 0; i < partCount; ++i)
+  {
+    places.push_back(parts.parts[i].centroid);
+    node.push_back(None);
+    part.push_back(i);
+    degree.push_back(graph.nodesOfPart[i].size());
+    vertices.push_back({ nodeCount + i });
+    for (const Index other : graph.nodesOfPart[i])
+    {
+      lines.push_back({ nodeCount + i, other });
+    }
+  }
+  output->SetPoints(points(places));
+  output->SetVerts(cellArray(vertices));
+  output->SetLines(cellArray(lines));
+  std::vector<char> onLoop = graph.nodeOnLoop;
+  onLoop.insert(onLoop.end(), graph.partOnLoop.begin(), graph.partOnLoop.end());
+  add<vtkIdTypeArray>(output->GetPointData(), names::NodeId, node);
+  add<vtkIdTypeArray>(output->GetPointData(), names::PartId, part);
+  add<vtkIdTypeArray>(output->GetPointData(), names::Degree, degree);
+  add<vtkUnsignedCharArray>(output->GetPointData(), names::OnLoop, onLoop);
+  for (const Edge& line : lines)
+  {
+    node.push_back(line[1]);
+    part.push_back(line[0] - nodeCount);
+  }
+  add<vtkIdTypeArray>(output->GetCellData(), names::NodeId, node);
+  add<vtkIdTypeArray>(output->GetCellData(), names::PartId, part);
+}
+
+std::vector<Index> readParts(vtkPolyData* axis)
+{
+  const Arrays cells(axis->GetCellData(), "cell", TakeParts);
+  const Index cellCount = toIndex(axis->GetNumberOfCells(), "cells");
+  return cells.has(names::PartId) ? cells.indices(names::PartId, cellCount, 0, cellCount)
+                                  : std::vector<Index>();
+}
+
+std::vector<Index> readCells(vtkPolyData* axis, const std::vector<vtkIdType>& parts,
+  const std::vector<vtkIdType>& cells, const char* done)
+{
+  const vtkIdType cellCount = axis->GetNumberOfCells();
+  std::vector<Index> result;
+  for (const vtkIdType cell : cells)
+  {
+    if (cell < 0 || cell >= cellCount)
+    {
+      throw InvalidInput(
+        "cell ", cell, " can't be ", done, ": the input has the cells 0 ... ", cellCount - 1);
+    }
+    result.push_back(static_cast<Index>(cell));
+  }
+  if (parts.empty())
+  {
+    return result;
+  }
+  const std::vector<Index> partOfCell = readParts(axis);
+  if (partOfCell.empty())
+  {
+    throw InvalidInput(
+      "parts can't be ", done, " without the cell array '", names::PartId, "': ", TakeParts);
+  }
+  std::set<vtkIdType> missing(parts.begin(), parts.end());
+  const std::set<vtkIdType> chosen = missing;
+  for (Index cell = 0; cell < count(partOfCell); ++cell)
+  {
+    if (chosen.count(partOfCell[cell]))
+    {
+      missing.erase(partOfCell[cell]);
+      result.push_back(cell);
+    }
+  }
+  if (!missing.empty())
+  {
+    throw InvalidInput("part ", *missing.begin(), " can't be ", done, ": the cell array '",
+      names::PartId, "' of the input has no such part");
+  }
+  return result;
+}
+}

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Axis/Carving.h"
+
+#include "Base/DisjointSets.h"
+
+#include <algorithm>
+
+namespace medial
+{
+namespace
+{
+/// Is the cell across facet i outside the set?
+bool isOpen(const SiteTriangulation& sites, const OpenSet& set, Index cell, int i)
+{
+  const Index neighbor = sites.mesh.neighbors[cell][i];
+  return neighbor == None || !set.cells[neighbor];
+}
+
+void markCell(const SiteTriangulation& sites, Index cell, Outside& outside)
+{
+  for (const Index v : sites.mesh.cells[cell])
+  {
+    outside.vertices[v] = 1;
+  }
+  for (const Index e : sites.edges.ofCell[cell])
+  {
+    outside.edges[e] = 1;
+  }
+}
+
+/// Is the edge cellEdges[k] in the facet opposite to corner i?
+bool isInFacet(int k, int i)
+{
+  return cellEdges[k][0] != i && cellEdges[k][1] != i;
+}
+
+bool isSimple(
+  const SiteTriangulation& sites, const OpenSet& set, const Outside& outside, Index cell)
+{
+  int vertices = 0, edges = 0, facets = 0;
+  int component[4] = { 0, 1, 2, 3 };
+  for (int i = 0; i < 4; ++i)
+  {
+    vertices += outside.vertices[sites.mesh.cells[cell][i]];
+    facets += isOpen(sites, set, cell, i);
+  }
+  int components = vertices;
+  for (int k = 0; k < 6; ++k)
+  {
+    if (outside.edges[sites.edges.ofCell[cell][k]])
+    {
+      ++edges;
+      const int a = component[cellEdges[k][0]], b = component[cellEdges[k][1]];
+      components -= a != b;
+      std::replace(component, component + 4, b, a);
+    }
+  }
+  return components == 1 && vertices - edges + facets == 1;
+}
+
+/// Components of the set over shared facets, each known by its lowest cell.
+DisjointSets components(const SiteTriangulation& sites, const OpenSet& set)
+{
+  DisjointSets result(count(set.cells));
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      if (set.cells[c] && !isOpen(sites, set, c, i))
+      {
+        result.unite(c, sites.mesh.neighbors[c][i]);
+      }
+    }
+  }
+  return result;
+}
+
+/// Number of pieces of the closed rest of space; the vertex at infinity is one more vertex.
+Index outsidePieces(const SiteTriangulation& sites, const OpenSet& set, const Outside& outside)
+{
+  const Index infinity = count(outside.vertices);
+  DisjointSets pieces(infinity + 1);
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      if (!set.cells[c])
+      {
+        pieces.unite(sites.mesh.cells[c][0], sites.mesh.cells[c][i]);
+      }
+      if (sites.mesh.neighbors[c][i] == None)
+      {
+        for (const Index v : facet(sites.mesh.cells[c], i))
+        {
+          pieces.unite(v, infinity);
+        }
+      }
+    }
+  }
+  Index result = 1;
+  for (Index v = 0; v < infinity; ++v)
+  {
+    result += outside.vertices[v] && pieces.find(v) == v && pieces.find(infinity) != v;
+  }
+  return result;
+}
+}
+
+Outside outsideOf(const SiteTriangulation& sites, const OpenSet& set)
+{
+  Outside result{ std::vector<char>(sites.siteCount, 0),
+    std::vector<char>(sites.edges.edges.size(), 0) };
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    if (!set.cells[c])
+    {
+      markCell(sites, c, result);
+      continue;
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      if (sites.mesh.neighbors[c][i] == None)
+      {
+        for (const Index v : facet(sites.mesh.cells[c], i))
+        {
+          result.vertices[v] = 1;
+        }
+        for (int k = 0; k < 6; ++k)
+        {
+          result.edges[sites.edges.ofCell[c][k]] |= isInFacet(k, i);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+OpenSet insideCells(const SiteTriangulation& sites, double kappa)
+{
+  OpenSet set{ sites.isCore };
+  for (std::size_t c = 0; c < set.cells.size(); ++c)
+  {
+    set.cells[c] |= sites.depth[c] >= kappa;
+  }
+  DisjointSets pieces = components(sites, set);
+  std::vector<char> hasBall(set.cells.size(), 0);
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    hasBall[pieces.find(c)] |= sites.onBall[c] != None;
+  }
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    set.cells[c] = set.cells[c] && hasBall[pieces.find(c)];
+  }
+  return set;
+}
+
+Betti bettiNumbers(const SiteTriangulation& sites, const OpenSet& set)
+{
+  const Outside outside = outsideOf(sites, set);
+  DisjointSets pieces = components(sites, set);
+  Index cells = 0, facets = 0, edges = 0, vertices = 0, b0 = 0;
+  std::vector<char> seen(outside.vertices.size(), 0);
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    for (const Index v : sites.mesh.cells[c])
+    {
+      vertices += !seen[v] && !outside.vertices[v];
+      seen[v] = 1;
+    }
+    if (set.cells[c])
+    {
+      ++cells;
+      b0 += pieces.find(c) == c;
+      for (int i = 0; i < 4; ++i)
+      {
+        facets += !isOpen(sites, set, c, i);
+      }
+    }
+  }
+  for (const char edge : outside.edges)
+  {
+    edges += !edge;
+  }
+  const Index b2 = outsidePieces(sites, set, outside) - 1;
+  return { b0, b0 + b2 - (cells - facets / 2 + edges - vertices), b2 };
+}
+
+void carve(const SiteTriangulation& sites, OpenSet& set, const Execution& execution)
+{
+  Outside outside = outsideOf(sites, set);
+  std::vector<Index> order;
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    if (set.cells[c] && !sites.isCore[c])
+    {
+      order.push_back(c);
+    }
+  }
+  std::stable_sort(
+    order.begin(), order.end(), [&](Index a, Index b) { return sites.depth[a] < sites.depth[b]; });
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    execution.report(0.5);
+    for (Index& c : order)
+    {
+      if (isSimple(sites, set, outside, c))
+      {
+        set.cells[c] = 0;
+        markCell(sites, c, outside);
+        changed = true;
+        c = None;
+      }
+    }
+    order.erase(std::remove(order.begin(), order.end(), None), order.end());
+  }
+}
+}

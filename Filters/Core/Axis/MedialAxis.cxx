@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Axis/MedialAxis.h"
+
+#include "Axis/Carving.h"
+#include "Axis/DualComplex.h"
+#include "Axis/Erosion.h"
+#include "Axis/ShapeCollapse.h"
+#include "Axis/SingularPoints.h"
+#include "Axis/SiteTriangulation.h"
+#include "Balls/PowerShape.h"
+#include "Base/Frame.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+
+namespace medial
+{
+namespace
+{
+/// How deep candidates must be, in the order tried: the first that gives the right topology counts.
+constexpr double kappas[] = { 0.2, 0.1, 0.05, 0, 0.3, 0.5, 0.8 };
+
+Index defect(const Betti& a, const Betti& b)
+{
+  return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
+}
+
+/// The axis from the singular points whose Betti numbers are the shape's, or come nearest.
+MedialAxis axisFromSites(
+  const PolarBalls& polarBalls, const PowerShape& shape, const Execution& execution)
+{
+  const Frame frame = frameOf(polarBalls.samples);
+  const SingularPoints points = singularPoints(polarBalls, shape, execution.part(0, 0.1));
+  const SiteTriangulation sites =
+    siteTriangulation(polarBalls, shape, points, frame, execution.part(0.1, 0.7));
+  std::optional<MedialAxis> best;
+  for (const double kappa : kappas)
+  {
+    OpenSet set = insideCells(sites, kappa);
+    const bool promising = bettiNumbers(sites, set) == shape.betti;
+    if (!promising && (best || kappa != kappas[std::size(kappas) - 1]))
+    {
+      continue;
+    }
+    carve(sites, set, execution.part(0.7, 0.9));
+    MedialAxis axis = dualComplex(polarBalls, points, sites, set, frame);
+    axis.kappa = kappa;
+    axis.betti = bettiNumbers(axis.cells);
+    if (!best || defect(axis.betti, shape.betti) < defect(best->betti, shape.betti))
+    {
+      best = std::move(axis);
+    }
+    if (best->betti == shape.betti)
+    {
+      break;
+    }
+  }
+  return *best;
+}
+
+/// The inner balls that share a sample with each inner ball.
+std::vector<std::vector<Index>> neighbors(
+  const PolarBalls& polarBalls, const std::vector<Index>& of)
+{
+  const std::vector<std::vector<Index>> ballsOfSample = innerBallsOfSamples(polarBalls);
+  std::vector<std::vector<Index>> result(of.size());
+  for (std::size_t i = 0; i < of.size(); ++i)
+  {
+    for (const Index s : polarBalls.ballSamples[of[i]])
+    {
+      result[i].insert(result[i].end(), ballsOfSample[s].begin(), ballsOfSample[s].end());
+    }
+    std::sort(result[i].begin(), result[i].end());
+    result[i].erase(std::unique(result[i].begin(), result[i].end()), result[i].end());
+  }
+  return result;
+}
+
+/// Each ball on the axis owns itself; an inner ball off it belongs to the ball, among those that share
+/// a sample and have an owner, that it intersects most deeply. Those far off take several rounds.
+std::vector<Index> owners(const PolarBalls& polarBalls, const std::vector<Index>& ballOfPoint)
+{
+  std::vector<Index> owner(polarBalls.balls.size(), None);
+  for (const Index b : ballOfPoint)
+  {
+    if (b != None)
+    {
+      owner[b] = b;
+    }
+  }
+  std::vector<Index> todo;
+  for (Index b = 0; b < count(owner); ++b)
+  {
+    if (owner[b] == None && polarBalls.sides[b] == Side::Inner)
+    {
+      todo.push_back(b);
+    }
+  }
+  const std::vector<std::vector<Index>> around = neighbors(polarBalls, todo);
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    const std::vector<Index> before = owner;
+    for (std::size_t i = 0; i < todo.size(); ++i)
+    {
+      double deepest = -std::numeric_limits<double>::infinity();
+      for (const Index n : around[i])
+      {
+        const double d = intersectionDepth(polarBalls.balls[todo[i]], polarBalls.balls[n]);
+        if (before[todo[i]] == None && before[n] != None && d > deepest)
+        {
+          deepest = d;
+          owner[todo[i]] = before[n];
+          changed = true;
+        }
+      }
+    }
+  }
+  return owner;
+}
+}
+
+double triangleArea(const MedialAxis& axis, const Triangle& corners)
+{
+  const Point& a = axis.points[corners[0]];
+  return 0.5 * (axis.points[corners[1]] - a).cross(axis.points[corners[2]] - a).norm();
+}
+
+std::vector<Ball> cornerBalls(const MedialAxis& axis, Index cell)
+{
+  std::vector<Ball> result;
+  forPoints(axis.cells, cell, [&](Index p) {
+    result.push_back({ axis.points[p], axis.radii[p] });
+  });
+  return result;
+}
+
+MedialAxis withCells(MedialAxis axis, const std::vector<Index>& cells, const Betti& betti)
+{
+  // In place: what stays moves down.
+  const auto keep = [&cells](auto& values, Index begin, Index end) {
+    Index next = 0;
+    for (auto cell = std::lower_bound(cells.begin(), cells.end(), begin);
+         cell != cells.end() && *cell < end; ++cell)
+    {
+      values[next++] = values[*cell - begin];
+    }
+    values.resize(next);
+  };
+  const Index firstEdge = axis.cells.firstEdge(), firstTriangle = axis.cells.firstTriangle();
+  const Index end = axis.cells.size();
+  keep(axis.polygonOfCell, 0, end);
+  keep(axis.samplesOfCell, 0, end);
+  keep(axis.siteViews, 0, end);
+  keep(axis.cellErosion, 0, end);
+  keep(axis.cells.vertices, 0, firstEdge);
+  keep(axis.cells.edges, firstEdge, firstTriangle);
+  keep(axis.cells.triangles, firstTriangle, end);
+  axis.betti = betti;
+  axis.certificate = betti == axis.powerShapeBetti;
+  return axis;
+}
+
+MedialAxis medialAxis(
+  const PolarBalls& polarBalls, const AxisOptions& options, const Execution& execution)
+{
+  if (std::find(polarBalls.sides.begin(), polarBalls.sides.end(), Side::Inner) ==
+    polarBalls.sides.end())
+  {
+    throw InvalidInput(
+      "no ball is inside the solid: the samples don't enclose one, or there are too "
+      "few of them to tell");
+  }
+  const PowerShape shape = powerShape(polarBalls, execution.part(0, 0.1));
+  MedialAxis axis = axisFromSites(polarBalls, shape, execution.part(0.1, 0.9));
+  if (axis.betti != shape.betti && options.fallback == AxisFallback::Collapse)
+  {
+    axis = collapsedShape(polarBalls, shape);
+    axis.betti = bettiNumbers(axis.cells);
+    axis.fallback = true;
+    axis.kappa = -1;
+  }
+  axis.powerShapeBetti = shape.betti;
+  axis.certificate = axis.betti == shape.betti;
+  axis.ballOwner = owners(polarBalls, axis.ballOfPoint);
+  axis.ballVolumes = polarBalls.volumes;
+  axis.poleVolumes = polarBalls.poleVolumes;
+  Erosion thickness = erosion(axis);
+  axis.erosion = std::move(thickness.ofPoint);
+  axis.cellErosion = std::move(thickness.ofCell);
+  execution.report(1);
+  return axis;
+}
+}

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Axis/SingularPoints.h"
+
+#include "Balls/PowerLocator.h"
+#include "Base/Frame.h"
+#include "Base/Predicates.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace medial
+{
+namespace
+{
+/// Do the three ascending lists share an element of which `accept` approves?
+template <typename Accept>
+bool anyShared(IndexLists::View a, IndexLists::View b, IndexLists::View c, const Accept& accept)
+{
+  const Index *i = a.begin(), *j = b.begin(), *k = c.begin();
+  while (i != a.end() && j != b.end() && k != c.end())
+  {
+    const Index most = std::max({ *i, *j, *k });
+    if (*i == most && *j == most && *k == most)
+    {
+      if (accept(most))
+      {
+        return true;
+      }
+      ++i;
+    }
+    else
+    {
+      i = std::lower_bound(i, a.end(), most);
+      j = std::lower_bound(j, b.end(), most);
+      k = std::lower_bound(k, c.end(), most);
+    }
+  }
+  return false;
+}
+
+/// Where three spheres meet on the side from which their centres a, b, c are counter-clockwise.
+std::optional<Point> boundaryIntersection(const Ball& a, const Ball& b, const Ball& c)
+{
+  const Point u = b.center - a.center, v = c.center - a.center;
+  const Point normal = u.cross(v);
+  const double area = normal.squaredNorm();
+  const auto half = [&a](const Ball& ball, const Point& edge) {
+    return 0.5 * (a.radius * a.radius - ball.radius * ball.radius + edge.squaredNorm());
+  };
+  // The point of the plane with equal power to all three, then up along the normal.
+  const Point base = (half(b, u) * v.cross(normal) + half(c, v) * normal.cross(u)) / area;
+  const double height = a.radius * a.radius - base.squaredNorm();
+  if (!(area > 0) || !(height > 0))
+  {
+    return std::nullopt;
+  }
+  const Point p = a.center + base + normal * std::sqrt(height / area);
+  for (const Ball& ball : { a, b, c })
+  {
+    if (!(std::abs((p - ball.center).norm() - ball.radius) < coincident))
+    {
+      return std::nullopt; // centres so nearly on a line that doubles can't tell where
+    }
+  }
+  return p;
+}
+
+/// Is a point that lies on an inner ball inside no other one?
+bool isOnUnion(
+  const PowerLocator& locator, const std::vector<Side>& sides, const Point& p, Index ball)
+{
+  const Index cell = locator.locate(p, ball);
+  if (cell == None)
+  {
+    return true;
+  }
+  const Index nearest = locator.nearestBall(p, cell);
+  const Ball& other = locator.balls()[nearest];
+  return sides[nearest] != Side::Inner || (p - other.center).norm() > other.radius - coincident;
+}
+
+/// The balls of a triangle, turned so that they are counter-clockwise seen from its side `side`.
+Triangle seenFrom(const Tetrahedra& mesh, const ShapeTriangle& triangle, int side)
+{
+  // Seen from the corner of the other cell they would be counter-clockwise in the wrong sense.
+  const Index own = triangle.cells[side];
+  const Index cell = own != None ? own : triangle.cells[1 - side];
+  for (int i = 0; i < 4; ++i)
+  {
+    Triangle balls = facet(mesh.cells[cell], i), sorted = balls;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted == triangle.balls)
+    {
+      if (own == None)
+      {
+        std::swap(balls[1], balls[2]);
+      }
+      return balls;
+    }
+  }
+  return triangle.balls;
+}
+
+/// The singular points that are no samples, each with its balls.
+struct Crossing
+{
+  Triangle balls;
+  Point position;
+};
+
+std::vector<Crossing> crossings(const PolarBalls& polarBalls, const PowerShape& shape,
+  const Frame& frame, const Execution& execution)
+{
+  const PowerLocator locator(shape.triangulation, polarBalls.balls, frame);
+  std::vector<std::optional<Crossing>> found(2 * shape.triangles.size());
+  execution.forEach(count(found), [&](Index i) {
+    const ShapeTriangle& triangle = shape.triangles[i / 2];
+    const Index cell = triangle.cells[i % 2];
+    if (cell != None && shape.contains[cell])
+    {
+      return;
+    }
+    const Triangle balls = seenFrom(shape.triangulation, triangle, i % 2);
+    const auto center = [&](int k) -> const Point& { return polarBalls.balls[balls[k]].center; };
+    const auto onThisSide = [&](Index s) {
+      return orientation(center(0), center(1), center(2), polarBalls.samples[s]) > 0;
+    };
+    const IndexLists& lists = polarBalls.ballSamples;
+    if (anyShared(lists[balls[0]], lists[balls[1]], lists[balls[2]], onThisSide))
+    {
+      return; // the singular point is that sample
+    }
+    const auto local = [&](int k) { return locator.balls()[balls[k]]; };
+    const auto point = boundaryIntersection(local(0), local(1), local(2));
+    if (point && isOnUnion(locator, polarBalls.sides, *point, balls[0]))
+    {
+      found[i] = { triangle.balls, frame.toWorld(*point) };
+    }
+  });
+  std::vector<Crossing> result;
+  for (const auto& crossing : found)
+  {
+    if (crossing)
+    {
+      result.push_back(*crossing);
+    }
+  }
+  return result;
+}
+}
+
+SingularPoints singularPoints(
+  const PolarBalls& polarBalls, const PowerShape& shape, const Execution& execution)
+{
+  const std::vector<std::vector<Index>> ballsOfSample = innerBallsOfSamples(polarBalls);
+  SingularPoints result;
+  const auto add = [&result](const Point& position, Index sample, const auto& balls) {
+    result.positions.push_back(position);
+    result.samples.push_back(sample);
+    result.balls.items.insert(result.balls.items.end(), balls.begin(), balls.end());
+    result.balls.close();
+  };
+  // In an order that doesn't depend on the order in which the samples were given.
+  std::vector<Index> order;
+  for (Index s = 0; s < count(ballsOfSample); ++s)
+  {
+    if (!ballsOfSample[s].empty())
+    {
+      order.push_back(s);
+    }
+  }
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    const Point &p = polarBalls.samples[a], &q = polarBalls.samples[b];
+    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
+  });
+  for (const Index s : order)
+  {
+    add(polarBalls.samples[s], s, ballsOfSample[s]);
+  }
+  execution.report(0.1);
+  const Frame frame = frameOf(polarBalls.samples);
+  for (const Crossing& crossing : crossings(polarBalls, shape, frame, execution))
+  {
+    add(crossing.position, None, crossing.balls);
+  }
+  execution.report(1);
+  return result;
+}
+}

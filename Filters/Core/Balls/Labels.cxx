@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Balls/Labels.h"
+
+#include "Base/Frame.h"
+#include "Base/Tetrahedra.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace medial
+{
+namespace
+{
+/// How surely a ball has the same side as another one, or the other side.
+struct Link
+{
+  Index ball;
+  float strength; ///< 0 ... 1
+  bool same;
+};
+
+struct Links
+{
+  std::vector<Index> offsets;
+  std::vector<Link> items;
+};
+
+struct Pair
+{
+  Index a, b;
+  float strength;
+  bool same;
+};
+
+std::vector<Pair> pairs(const LabelInput& input)
+{
+  std::vector<Pair> result;
+  for (const Edge& edge : edgeNumbers(input.cells, count(input.balls)).edges)
+  {
+    const double strength = intersectionDepth(input.balls[edge[0]], input.balls[edge[1]]);
+    if (strength > 0)
+    {
+      result.push_back({ edge[0], edge[1], static_cast<float>(std::min(strength, 1.0)), true });
+    }
+  }
+  for (std::size_t s = 0; s < input.samples.size(); ++s)
+  {
+    const auto [first, second] = input.ballsOfSample[s];
+    if (first != None && second != None && first != second)
+    {
+      const Point u = input.balls[first].center - input.samples[s];
+      const Point v = input.balls[second].center - input.samples[s];
+      const double strength = -u.dot(v) / (u.norm() * v.norm());
+      if (strength > 0)
+      {
+        result.push_back({ first, second, static_cast<float>(std::min(strength, 1.0)), false });
+      }
+    }
+  }
+  return result;
+}
+
+Links links(const std::vector<Pair>& pairs, Index ballCount)
+{
+  Links result;
+  result.offsets.assign(ballCount + 1, 0);
+  for (const Pair& pair : pairs)
+  {
+    ++result.offsets[pair.a + 1];
+    ++result.offsets[pair.b + 1];
+  }
+  for (Index b = 0; b < ballCount; ++b)
+  {
+    result.offsets[b + 1] += result.offsets[b];
+  }
+  result.items.resize(result.offsets.back());
+  std::vector<Index> next(result.offsets.begin(), result.offsets.end() - 1);
+  for (const Pair& pair : pairs)
+  {
+    result.items[next[pair.a]++] = { pair.b, pair.strength, pair.same };
+    result.items[next[pair.b]++] = { pair.a, pair.strength, pair.same };
+  }
+  return result;
+}
+
+/// Belief of each ball in either side, and how decided it is.
+struct Beliefs
+{
+  std::vector<std::array<float, 2>> of; ///< outer, inner
+
+  float priority(Index ball) const
+  {
+    const auto [outer, inner] = this->of[ball];
+    return outer > 0 && inner > 0 ? std::abs(inner - outer) - 1 : std::max(inner, outer);
+  }
+};
+
+void spread(const Links& links, Beliefs& beliefs, std::vector<Side>& sides)
+{
+  using Entry = std::pair<float, Index>; // priority, and minus the ball: lowest first among equals
+  std::priority_queue<Entry> queue;
+  for (Index b = 0; b < count(sides); ++b)
+  {
+    if (beliefs.of[b][0] > 0)
+    {
+      queue.push({ beliefs.priority(b), -b });
+    }
+  }
+  std::vector<char> done(sides.size(), 0);
+  while (!queue.empty())
+  {
+    const auto [priority, negative] = queue.top();
+    const Index b = -negative;
+    queue.pop();
+    if (done[b] || priority != beliefs.priority(b))
+    {
+      continue;
+    }
+    done[b] = 1;
+    const int side = beliefs.of[b][1] > beliefs.of[b][0] ? 1 : 0;
+    sides[b] = static_cast<Side>(side);
+    const float certainty = beliefs.of[b][side];
+    for (Index i = links.offsets[b]; i < links.offsets[b + 1]; ++i)
+    {
+      const Link& link = links.items[i];
+      float& belief = beliefs.of[link.ball][link.same ? side : 1 - side];
+      if (!done[link.ball] && certainty * link.strength > belief)
+      {
+        belief = certainty * link.strength;
+        queue.push({ beliefs.priority(link.ball), -link.ball });
+      }
+    }
+  }
+}
+}
+
+std::vector<Side> labels(const LabelInput& input, const Execution& execution)
+{
+  std::vector<Side> sides(input.balls.size(), Side::Outer);
+  Beliefs beliefs{ std::vector<std::array<float, 2>>(input.balls.size(), { 0, 0 }) };
+  const Eigen::AlignedBox3d box = boundingBox(input.samples);
+  for (std::size_t b = 0; b < sides.size(); ++b)
+  {
+    const bool beyond = !box.contains(input.balls[b].center);
+    beliefs.of[b][0] = input.touchesGuard[b] || beyond ? 1 : 0;
+  }
+  const Links network = links(pairs(input), count(input.balls));
+  execution.report(0.5);
+  spread(network, beliefs, sides);
+  std::vector<char> visible(sides.size(), 0);
+  for (const Tetrahedron& cell : input.cells)
+  {
+    for (const Index ball : cell)
+    {
+      visible[ball] = 1;
+    }
+  }
+  for (std::size_t b = 0; b < sides.size(); ++b)
+  {
+    sides[b] = visible[b] ? sides[b] : Side::Hidden;
+  }
+  execution.report(1);
+  return sides;
+}
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_PowerShape_h
+#define medial_PowerShape_h
+
+#include "Balls/PolarBalls.h"
+#include "Base/Execution.h"
+#include "Base/Tetrahedra.h"
+#include "Base/Types.h"
+
+#include <vector>
+
+namespace medial
+{
+/// A triangle of the power shape that doesn't lie between two of its tetrahedra.
+struct ShapeTriangle
+{
+  Triangle balls; ///< ascending
+  /// The cells on its two sides (None: outside the convex hull). One of them is in the power shape
+  /// for a regular triangle, none for a singular triangle.
+  std::array<Index, 2> cells;
+};
+
+/// The power shape: all simplices of the balls' regular triangulation whose corners are inner
+/// balls (paper 2.1). It has the topology of the solid.
+///
+/// Unlike the dual shape of the union of balls (alpha = 0) it needs no comparison of radii: all
+/// balls through a sample meet there, and rounding would decide.
+struct PowerShape
+{
+  Tetrahedra triangulation;   ///< of all balls, with neighbours
+  std::vector<char> contains; ///< for each cell: is it in the power shape?
+  std::vector<ShapeTriangle> triangles;
+  Betti betti;
+};
+
+/// The power shape of `polarBalls`.
+/// @throw InvalidInput  the cells aren't a triangulation: a triangle with more than two cells
+PowerShape powerShape(const PolarBalls& polarBalls, const Execution& execution = {});
+
+/// Betti numbers of the subcomplex of all simplices of a triangulation whose corners are marked.
+Betti markedBetti(const Tetrahedra& mesh, const std::vector<char>& marked);
+}
+
+#endif

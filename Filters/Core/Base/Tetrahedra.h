@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_Tetrahedra_h
+#define medial_Tetrahedra_h
+
+#include "Base/Types.h"
+
+#include <vector>
+
+namespace medial
+{
+/// A triangulation of the convex hull of points, as arrays.
+struct Tetrahedra
+{
+  std::vector<Tetrahedron> cells;     ///< corners, positively oriented
+  std::vector<Tetrahedron> neighbors; ///< the cell opposite to each corner; None across the hull
+};
+
+/// The three corners of a positively oriented cell opposite to corner i (0 ... 3), counter-clockwise
+/// seen from corner i.
+inline Triangle facet(const Tetrahedron& cell, int i)
+{
+  static constexpr int corners[4][3] = { { 1, 3, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 0, 1, 2 } };
+  return { cell[corners[i][0]], cell[corners[i][1]], cell[corners[i][2]] };
+}
+
+/// The six edges of a cell as pairs of corner numbers.
+constexpr int cellEdges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
+
+/// The cells with their neighbours found from shared triangles.
+/// @throw InvalidInput  a triangle has more than two cells
+Tetrahedra withNeighbors(std::vector<Tetrahedron> cells);
+
+/// A number for each edge: entry [cell][k] is the number of the cell's edge cellEdges[k].
+struct EdgeNumbers
+{
+  std::vector<std::array<Index, 6>> ofCell;
+  std::vector<Edge> edges; ///< corners, ascending
+};
+EdgeNumbers edgeNumbers(const std::vector<Tetrahedron>& cells, Index pointCount);
+}
+
+#endif

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Triangulations.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_3.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace medial
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+struct Number
+{
+  Index value = None;
+};
+
+using DelaunayVertex = CGAL::Triangulation_vertex_base_with_info_3<Number, Kernel>;
+using DelaunayCell = CGAL::Triangulation_cell_base_with_info_3<Number, Kernel,
+  CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using Delaunay = CGAL::Delaunay_triangulation_3<Kernel,
+  CGAL::Triangulation_data_structure_3<DelaunayVertex, DelaunayCell>>;
+
+using RegularVertex = CGAL::Triangulation_vertex_base_with_info_3<Number, Kernel,
+  CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
+using RegularCell = CGAL::Regular_triangulation_cell_base_3<Kernel,
+  CGAL::Triangulation_cell_base_with_info_3<Number, Kernel>, CGAL::Discard_hidden_points>;
+using Regular = CGAL::Regular_triangulation_3<Kernel,
+  CGAL::Triangulation_data_structure_3<RegularVertex, RegularCell>>;
+
+/// The points' numbers in an order in which neighbours follow each other.
+std::vector<std::size_t> spatialOrder(const std::vector<Kernel::Point_3>& points)
+{
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  using Map = CGAL::Pointer_property_map<Kernel::Point_3>::const_type;
+  CGAL::spatial_sort(order.begin(), order.end(),
+    CGAL::Spatial_sort_traits_adapter_3<Kernel, Map>(CGAL::make_property_map(points)));
+  return order;
+}
+
+/// Inserts element order[i] for all i, each near the one before; vertices get their number.
+template <typename Triangulation, typename Element>
+void insertInOrder(Triangulation& triangulation, const std::vector<std::size_t>& order,
+  const Element& element, Index firstNumber, const Execution& execution)
+{
+  typename Triangulation::Cell_handle hint;
+  for (Index i = 0; i < count(order); ++i)
+  {
+    if (i % 4096 == 0)
+    {
+      execution.report(static_cast<double>(i) / count(order));
+    }
+    const auto vertex = triangulation.insert(element(order[i]), hint);
+    if (vertex == typename Triangulation::Vertex_handle())
+    {
+      continue; // hidden
+    }
+    const Index number = firstNumber + static_cast<Index>(order[i]);
+    Index& known = vertex->info().value; // of a point at the very same place
+    known = known == None ? number : std::min(number, known);
+    hint = vertex->cell();
+  }
+}
+
+/// The finite cells as arrays. Numbers the cells in passing.
+template <typename Triangulation>
+Tetrahedra arrays(const Triangulation& triangulation)
+{
+  Tetrahedra result;
+  if (triangulation.dimension() < 3)
+  {
+    return result;
+  }
+  for (const auto cell : triangulation.all_cell_handles())
+  {
+    cell->info().value = None;
+  }
+  Index number = 0;
+  for (const auto cell : triangulation.finite_cell_handles())
+  {
+    cell->info().value = number++;
+  }
+  result.cells.reserve(number);
+  result.neighbors.reserve(number);
+  for (const auto cell : triangulation.finite_cell_handles())
+  {
+    Tetrahedron corners, neighbors;
+    for (int i = 0; i < 4; ++i)
+    {
+      corners[i] = cell->vertex(i)->info().value;
+      neighbors[i] = cell->neighbor(i)->info().value;
+    }
+    result.cells.push_back(corners);
+    result.neighbors.push_back(neighbors);
+  }
+  return result;
+}
+
+/// A number without pattern for each number.
+std::uint32_t scrambled(std::uint32_t x)
+{
+  x = (x ^ (x >> 16)) * 0x7feb352du;
+  x = (x ^ (x >> 15)) * 0x846ca68bu;
+  return x ^ (x >> 16);
+}
+
+Kernel::Point_3 kernelPoint(const Point& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
+}
+
+Ball jittered(const Ball& ball, Index number)
+{
+  const double change = 1e-9 * (scrambled(number) / 4294967296.0 - 0.5);
+  return { ball.center, ball.radius * (1 + change) };
+}
+
+Tetrahedra delaunay(const std::vector<Point>& points, const Execution& execution)
+{
+  std::vector<Kernel::Point_3> kernelPoints;
+  kernelPoints.reserve(points.size());
+  for (const Point& p : points)
+  {
+    kernelPoints.push_back(kernelPoint(p));
+  }
+  Delaunay triangulation;
+  insertInOrder(
+    triangulation, spatialOrder(kernelPoints), [&](std::size_t i) { return kernelPoints[i]; }, 0,
+    execution);
+  return arrays(triangulation);
+}
+
+struct RegularTriangulation::Implementation
+{
+  Regular triangulation;
+  Index inserted = 0;
+};
+
+RegularTriangulation::RegularTriangulation()
+  : implementation(std::make_unique<Implementation>())
+{
+}
+RegularTriangulation::~RegularTriangulation() = default;
+RegularTriangulation::RegularTriangulation(RegularTriangulation&&) noexcept = default;
+RegularTriangulation& RegularTriangulation::operator=(RegularTriangulation&&) noexcept = default;
+
+RegularTriangulation RegularTriangulation::copy() const
+{
+  RegularTriangulation result;
+  *result.implementation = *this->implementation;
+  return result;
+}
+
+void RegularTriangulation::insert(const std::vector<Ball>& balls, const Execution& execution)
+{
+  std::vector<Kernel::Point_3> centers;
+  centers.reserve(balls.size());
+  for (const Ball& ball : balls)
+  {
+    centers.push_back(kernelPoint(ball.center));
+  }
+  const auto weighted = [&](std::size_t i) {
+    return Regular::Weighted_point(centers[i], balls[i].radius * balls[i].radius);
+  };
+  insertInOrder(this->implementation->triangulation, spatialOrder(centers), weighted,
+    this->implementation->inserted, execution);
+  this->implementation->inserted += count(balls);
+}
+
+Tetrahedra RegularTriangulation::tetrahedra() const
+{
+  return arrays(this->implementation->triangulation);
+}
+}

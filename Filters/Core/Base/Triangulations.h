@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_Triangulations_h
+#define medial_Triangulations_h
+
+#include "Base/Execution.h"
+#include "Base/Tetrahedra.h"
+#include "Base/Types.h"
+
+#include <memory>
+#include <vector>
+
+namespace medial
+{
+/// The Delaunay triangulation of distinct points; no cells where they lie in a plane.
+Tetrahedra delaunay(const std::vector<Point>& points, const Execution& execution = {});
+
+/// Ball `number` with a squared radius changed by up to 1e-9 of it, in the same way in every run.
+///
+/// Every sample is a degenerate vertex of the power diagram of the polar balls. Without the change
+/// exact arithmetic decides rounding noise there, for most of the time.
+Ball jittered(const Ball& ball, Index number);
+
+/// The regular triangulation of balls, weights their squared radii: the dual of their power diagram.
+/// A ball that has no power cell (hidden) is in no cell.
+class RegularTriangulation
+{
+public:
+  RegularTriangulation();
+  ~RegularTriangulation();
+  RegularTriangulation(RegularTriangulation&&) noexcept;
+  RegularTriangulation& operator=(RegularTriangulation&&) noexcept;
+
+  RegularTriangulation copy() const;
+
+  /// Adds balls; they are numbered on from those already there.
+  void insert(const std::vector<Ball>& balls, const Execution& execution = {});
+
+  /// The triangulation of all balls inserted so far.
+  Tetrahedra tetrahedra() const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation;
+};
+}
+
+#endif

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ReportErrors_h
+#define ReportErrors_h
+
+#include "Base/Errors.h"
+#include "Base/Execution.h"
+#include "Collections/Objects.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerVectorKey.h"
+#include "vtkInformationVector.h"
+#include "vtkSMPTools.h"
+#include "vtkSetGet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVersion.h"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+
+/// What a filter has to tell the pipeline around its one call of the core: pieces, progress, abort,
+/// threads, errors.
+namespace medial
+{
+/// What is asked for at the output that the request comes from.
+inline vtkInformation* askedOutput(vtkInformation* request, vtkInformationVector* outputs)
+{
+  const int port = request->Has(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT())
+    ? std::max(0, request->Get(vtkDemandDrivenPipeline::FROM_OUTPUT_PORT()))
+    : 0;
+  return outputs->GetInformationObject(port);
+}
+
+/// Is the piece asked for the first, which holds everything? The others are empty.
+inline bool isFirstPiece(vtkInformation* request, vtkInformationVector* outputs)
+{
+  vtkInformation* output = askedOutput(request, outputs);
+  return !output || !output->Has(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) ||
+    output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) == 0;
+}
+
+/// The piece, of how many, with how many ghost levels, that was asked for at an output.
+inline vtkInformationIntegerVectorKey* askedPiece()
+{
+  static auto* const key = vtkInformationIntegerVectorKey::MakeKey("ASKED_PIECE", "MedialAxis", 3);
+  return key;
+}
+
+/// Notes at all outputs the piece that is asked for at one, where the input is a collection: they are
+/// made together.
+inline void notePiece(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* asked = askedOutput(request, outputs);
+  if (!asked || !vtkCompositeDataSet::GetData(inputs[0]))
+  {
+    return;
+  }
+  const int piece[] = { asked->Get(Pipeline::UPDATE_PIECE_NUMBER()),
+    asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()),
+    asked->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) };
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    outputs->GetInformationObject(port)->Set(askedPiece(), piece, 3);
+  }
+}
+
+/// Puts back what was asked for. While vtkCompositeDataPipeline works through the blocks it asks for
+/// the first piece of one instead, and leaves it so: it would take the blocks for another piece's and
+/// make them again at every update.
+inline void restorePiece(vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* output = outputs->GetInformationObject(port);
+    if (output->Has(askedPiece()))
+    {
+      output->Set(Pipeline::UPDATE_PIECE_NUMBER(), output->Get(askedPiece(), 0));
+      output->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), output->Get(askedPiece(), 1));
+      output->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), output->Get(askedPiece(), 2));
+    }
+  }
+}
+
+/// Asks every input for all of it as one piece: no stage can work on a part of the object. For another
+/// piece than the first, which is empty, the input is not needed: it is asked for the same piece.
+inline int requestWholeInputs(vtkAlgorithm* filter, vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  notePiece(request, inputs, outputs);
+  if (!isFirstPiece(request, outputs))
+  {
+    return 1;
+  }
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* input = inputs[port]->GetInformationObject(i);
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+  return 1;
+}
+
+inline void emptyOutputs(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+}
+
+inline bool stopRequested(vtkAlgorithm* filter)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220101)
+  return filter->CheckAbort();
+#else
+  return filter->GetAbortExecute() != 0;
+#endif
+}
+
+/// Has a filter somewhere before this one been stopped, so that there is no input to work on?
+inline bool inputStopped(vtkAlgorithm* filter)
+{
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkAlgorithm* before = filter->GetInputAlgorithm(port, i);
+      if (before->GetAbortExecute() || inputStopped(before))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// vtkSMPTools::For with the first exception of any thread thrown again on the calling thread.
+inline void parallelFor(Index count, const Execution::Range& body)
+{
+  std::mutex mutex;
+  std::exception_ptr error;
+  vtkSMPTools::For(0, count, [&](vtkIdType begin, vtkIdType end) {
+    try
+    {
+      body(static_cast<Index>(begin), static_cast<Index>(end));
+    }
+    catch (...)
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      error = std::current_exception();
+    }
+  });
+  if (error)
+  {
+    std::rethrow_exception(error);
+  }
+}
+
+/// The core's view of `filter`: it reports progress to it and lets it stop the work.
+inline Execution execution(vtkAlgorithm* filter)
+{
+  Execution result;
+  result.progress = [filter](double done) {
+    filter->UpdateProgress(done);
+    return !stopRequested(filter);
+  };
+  result.parallelFor = parallelFor;
+  return result;
+}
+
+/// vtkAlgorithm::SetErrorCode, which only a filter's own methods may call otherwise.
+inline void setErrorCode(vtkAlgorithm* filter, unsigned long code)
+{
+  struct Access : vtkAlgorithm
+  {
+    using vtkAlgorithm::SetErrorCode;
+  };
+  (filter->*&Access::SetErrorCode)(code);
+}
+
+/// Runs body(execution) on every rank and turns what it throws into a VTK error and empty outputs; the
+/// value is that of RequestData. Work that was stopped has empty outputs too, but is no error.
+template <typename Body>
+int reportErrorsOfAllRanks(vtkAlgorithm* filter, vtkInformationVector* outputs, const Body& body)
+{
+  setErrorCode(filter, vtkErrorCode::NoError);
+  filter->SetAbortExecute(0); // of an earlier execution; since VTK 9.2 nobody else does it
+  emptyOutputs(outputs);
+  try
+  {
+    body(execution(filter));
+    return 1;
+  }
+  catch (const Aborted&)
+  {
+    emptyOutputs(outputs);
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    emptyOutputs(outputs);
+    setErrorCode(filter, vtkErrorCode::UserError);
+    vtkErrorWithObjectMacro(filter, << error.what());
+    return 0;
+  }
+}
+
+/// The same on the rank that computes this object; the others have empty outputs.
+template <typename Body>
+int reportErrors(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, const Body& body)
+{
+  const int result = reportErrorsOfAllRanks(filter, outputs, [&](const Execution& execution) {
+    const bool isMine =
+      isFirstPiece(request, outputs) || isSharedOut(vtkDataObject::GetData(inputs[0]));
+    if (isMine && !inputStopped(filter))
+    {
+      body(execution);
+    }
+  });
+  restorePiece(outputs);
+  return result;
+}
+}
+
+#endif

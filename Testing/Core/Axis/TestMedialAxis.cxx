@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipelines.h"
+
+#include "Axis/MedialAxis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+using medial::Betti;
+using medial::Index;
+using medial::MedialAxis;
+using medial::None;
+using medial::Point;
+using medial::Side;
+using pipelines::forEachShape;
+using pipelines::Pipeline;
+
+namespace
+{
+/// The points of a cell, whatever its dimension.
+std::vector<Index> corners(const medial::AxisCells& cells, Index cell)
+{
+  if (cell < cells.firstEdge())
+  {
+    return { cells.vertices[cell] };
+  }
+  if (cell < cells.firstTriangle())
+  {
+    const medial::Edge& edge = cells.edges[cell - cells.firstEdge()];
+    return { edge.begin(), edge.end() };
+  }
+  const medial::Triangle& triangle = cells.triangles[cell - cells.firstTriangle()];
+  return { triangle.begin(), triangle.end() };
+}
+
+std::vector<medial::Ball> ballsOf(const MedialAxis& axis)
+{
+  std::vector<medial::Ball> balls;
+  for (std::size_t i = 0; i < axis.points.size(); ++i)
+  {
+    balls.push_back({ axis.points[i], axis.radii[i] });
+  }
+  return balls;
+}
+
+/// Undersampled, noisy or no surfaces at all: what the certificate is for.
+std::vector<std::vector<Point>> hostile()
+{
+  std::vector<std::vector<Point>> result{ shapes::openBowl(), shapes::gridCube(3),
+    shapes::gridCube(6), shapes::torus(0.55).samples, shapes::knot(0.4).samples,
+    shapes::twoHolePlate(0.25).samples };
+  for (unsigned seed = 0; seed < 6; ++seed)
+  {
+    result.push_back(shapes::cloud(40 + 30 * static_cast<int>(seed), seed));
+  }
+  return result;
+}
+
+/// Equal topology and balls; points, triangles and places nearly so.
+void expectAlike(const MedialAxis& a, const MedialAxis& b, const std::vector<Point>& placed,
+  double spacing, double share)
+{
+  EXPECT_EQ(a.betti, b.betti);
+  EXPECT_EQ(a.certificate, b.certificate);
+  EXPECT_EQ(a.fallback, b.fallback);
+  EXPECT_NEAR(static_cast<double>(b.points.size()) / a.points.size(), 1, share);
+  EXPECT_NEAR((1.0 + b.cells.triangles.size()) / (1.0 + a.cells.triangles.size()), 1, 2 * share);
+  EXPECT_LT(validators::hausdorffDistance(placed, a.points), spacing);
+  EXPECT_LT(validators::hausdorffDistance(a.points, placed), spacing);
+}
+}
+
+TEST(MedialAxis, HasTheTopologyOfTheSolid)
+{
+  forEachShape([](Pipeline& p) {
+    EXPECT_EQ(pipelines::independentBetti(p.axis()), p.shape.betti);
+    EXPECT_TRUE(p.axis().certificate);
+    EXPECT_FALSE(p.axis().fallback);
+  });
+}
+
+TEST(MedialAxis, StatesItsBettiNumbers)
+{
+  forEachShape([](Pipeline& p) {
+    EXPECT_EQ(p.axis().betti, pipelines::independentBetti(p.axis()));
+    EXPECT_EQ(p.axis().powerShapeBetti, p.powerShape().betti);
+    EXPECT_EQ(medial::bettiNumbers(p.axis().cells), p.axis().betti);
+  });
+}
+
+TEST(MedialAxis, BettiNumbersAreThoseOfTheRanks)
+{
+  for (unsigned seed = 0; seed < 100; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const MedialAxis axis = complexes::randomComplex(seed).axis();
+    EXPECT_EQ(medial::bettiNumbers(axis.cells), pipelines::independentBetti(axis));
+  }
+  EXPECT_EQ(medial::bettiNumbers({}), (Betti{ 0, 0, 0 }));
+}
+
+TEST(MedialAxis, CertificateIsHonest)
+{
+  const auto samples = hostile();
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    for (const auto fallback : { medial::AxisFallback::Collapse, medial::AxisFallback::Nearest })
+    {
+      SCOPED_TRACE(testing::Message() << "input " << i << ", fallback " << int(fallback));
+      const medial::PolarBalls balls = medial::polarBalls(samples[i]);
+      if (std::count(balls.sides.begin(), balls.sides.end(), Side::Inner) == 0)
+      {
+        EXPECT_THROW(medial::medialAxis(balls, { fallback }), medial::InvalidInput);
+        continue;
+      }
+      const MedialAxis axis = medial::medialAxis(balls, { fallback });
+      EXPECT_EQ(axis.betti, pipelines::independentBetti(axis));
+      EXPECT_EQ(axis.powerShapeBetti, medial::powerShape(balls).betti);
+      EXPECT_EQ(axis.certificate, axis.betti == axis.powerShapeBetti);
+      EXPECT_TRUE(axis.certificate || fallback == medial::AxisFallback::Nearest);
+      EXPECT_EQ(axis.fallback, axis.kappa == -1);
+      EXPECT_FALSE(axis.fallback && fallback == medial::AxisFallback::Nearest);
+    }
+  }
+}
+
+TEST(MedialAxis, HasNoDuplicatePoints)
+{
+  forEachShape([](Pipeline& p) {
+    EXPECT_EQ(validators::nearDuplicates(p.axis().points, 1e-9 * p.diagonal), 0);
+  });
+}
+
+TEST(MedialAxis, HasNoDuplicatePointsWhereSamplesWereRounded)
+{
+  // Poles that were the same are now some 1e-8 apart: near the tolerance.
+  for (const shapes::Shape& shape : { shapes::sphere(), shapes::sphere(0.08), shapes::capsule(),
+         shapes::twoObjects(), shapes::hollowSphere() })
+  {
+    SCOPED_TRACE(testing::Message() << shape.name << " of " << shape.samples.size());
+    const std::vector<Point> samples = shapes::roundedToFloats(shape.samples);
+    const MedialAxis axis = medial::medialAxis(medial::polarBalls(samples));
+    EXPECT_EQ(axis.betti, shape.betti);
+    EXPECT_EQ(pipelines::independentBetti(axis), shape.betti);
+    EXPECT_TRUE(axis.certificate);
+    EXPECT_EQ(validators::nearDuplicates(axis.points, 1e-9 * validators::diagonal(samples)), 0);
+  }
+}
+
+TEST(MedialAxis, UsesEveryPointAndRepeatsNoCell)
+{
+  forEachShape([](Pipeline& p) {
+    const validators::Complex complex = complexes::complexOf(p.axis().cells);
+    EXPECT_EQ(validators::unusedPoints(medial::count(p.axis().points), complex), 0);
+    EXPECT_EQ(validators::repeatedSimplices(complex), 0);
+  });
+}
+
+TEST(MedialAxis, CellsAreInNoHigherCell)
+{
+  forEachShape([](Pipeline& p) {
+    std::set<Index> inHigher;
+    std::set<medial::Edge> sides;
+    for (medial::Triangle t : p.axis().cells.triangles)
+    {
+      std::sort(t.begin(), t.end());
+      inHigher.insert(t.begin(), t.end());
+      sides.insert({ medial::Edge{ t[0], t[1] }, { t[1], t[2] }, { t[0], t[2] } });
+    }
+    for (medial::Edge edge : p.axis().cells.edges)
+    {
+      std::sort(edge.begin(), edge.end());
+      inHigher.insert(edge.begin(), edge.end());
+      EXPECT_EQ(sides.count(edge), 0u);
+    }
+    for (const Index vertex : p.axis().cells.vertices)
+    {
+      EXPECT_EQ(inHigher.count(vertex), 0u);
+    }
+  });
+}
+
+TEST(MedialAxis, ArraysHaveAnEntryForEach)
+{
+  forEachShape([](Pipeline& p) {
+    const MedialAxis& axis = p.axis();
+    EXPECT_EQ(axis.radii.size(), axis.points.size());
+    EXPECT_EQ(axis.ballOfPoint.size(), axis.points.size());
+    EXPECT_EQ(medial::count(axis.polygonOfCell), axis.cells.size());
+    EXPECT_EQ(medial::count(axis.samplesOfCell), axis.cells.size());
+    EXPECT_EQ(axis.ballOwner.size(), p.balls().balls.size());
+    EXPECT_EQ(axis.ballVolumes, p.balls().volumes);
+  });
+}
+
+TEST(MedialAxis, LiesOnTheExactAxis)
+{
+  forEachShape([](Pipeline& p) {
+    double sum = 0, largest = 0;
+    for (const Point& point : p.axis().points)
+    {
+      const double distance = p.shape.axisDistance(point);
+      sum += distance;
+      largest = std::max(largest, distance);
+    }
+    EXPECT_LT(sum / p.axis().points.size(), 0.003 * p.diagonal);
+    EXPECT_LT(largest, 0.3 * p.shape.spacing);
+  });
+}
+
+TEST(MedialAxis, ReachesTheWholeSolid)
+{
+  // The union of its balls comes to every sample; at sharp edges nearly so.
+  forEachShape([](Pipeline& p) {
+    const std::vector<medial::Ball> balls = ballsOf(p.axis());
+    double farthest = 0;
+    for (const Point& sample : p.shape.samples)
+    {
+      farthest = std::max(farthest, validators::clearance(sample, balls));
+    }
+    EXPECT_LT(farthest, (p.shape.smooth ? 0.1 : 1.5) * p.shape.spacing);
+  });
+}
+
+TEST(MedialAxis, RadiusIsTheDistanceToTheNearestSite)
+{
+  forEachShape([](Pipeline& p) {
+    const validators::NearestPoint nearestSite(p.sites().positions);
+    const validators::NearestPoint nearestSample(p.shape.samples);
+    for (std::size_t i = 0; i < p.axis().points.size(); ++i)
+    {
+      const auto& nearest = p.axis().ballOfPoint[i] == None ? nearestSite : nearestSample;
+      ASSERT_NEAR(nearest.distance(p.axis().points[i]), p.axis().radii[i], 1e-7 * p.diagonal)
+        << "point " << i << ", ball " << p.axis().ballOfPoint[i];
+    }
+  });
+}
+
+TEST(MedialAxis, PointsOnABallAreItsPole)
+{
+  forEachShape([](Pipeline& p) {
+    for (std::size_t i = 0; i < p.axis().points.size(); ++i)
+    {
+      const Index ball = p.axis().ballOfPoint[i];
+      if (ball != None)
+      {
+        ASSERT_EQ(p.balls().sides[ball], Side::Inner);
+        ASSERT_EQ(p.axis().points[i], p.balls().balls[ball].center);
+        ASSERT_EQ(p.axis().radii[i], p.balls().balls[ball].radius);
+      }
+    }
+  });
+}
+
+TEST(MedialAxis, HasNearlyAllInnerPoles)
+{
+  // [AK00]: all of them, for the exact axis of the union of balls (paper, Observation 1).
+  forEachShape([](Pipeline& p) {
+    std::set<Index> onAxis(p.axis().ballOfPoint.begin(), p.axis().ballOfPoint.end());
+    onAxis.erase(None);
+    const auto inner = std::count(p.balls().sides.begin(), p.balls().sides.end(), Side::Inner);
+    EXPECT_GT(static_cast<double>(onAxis.size()) / static_cast<double>(inner), 0.9);
+  });
+}
+
+TEST(MedialAxis, EveryInnerBallHasAnOwnerOnTheAxis)
+{
+  forEachShape([](Pipeline& p) {
+    std::set<Index> onAxis(p.axis().ballOfPoint.begin(), p.axis().ballOfPoint.end());
+    onAxis.erase(None);
+    for (Index b = 0; b < medial::count(p.axis().ballOwner); ++b)
+    {
+      const Index owner = p.axis().ballOwner[b];
+      if (p.balls().sides[b] != Side::Inner)
+      {
+        ASSERT_EQ(owner, None);
+        continue;
+      }
+      ASSERT_EQ(onAxis.count(owner), 1u) << "ball " << b;
+      ASSERT_TRUE(onAxis.count(b) == 0 || owner == b);
+    }
+  });
+}
+
+TEST(MedialAxis, CellsAreAsFarFromTheirTwoSites)
+{
+  forEachShape([](Pipeline& p) {
+    const MedialAxis& axis = p.axis();
+    for (Index cell = 0; cell < axis.cells.size(); ++cell)
+    {
+      const medial::Edge& samples = axis.samplesOfCell[cell];
+      for (const Index corner : corners(axis.cells, cell))
+      {
+        for (const Index sample : samples)
+        {
+          if (sample != None)
+          {
+            ASSERT_NEAR((axis.points[corner] - p.shape.samples[sample]).norm(), axis.radii[corner],
+              1e-7 * p.diagonal)
+              << "cell " << cell;
+          }
+        }
+      }
+    }
+  });
+}
+
+TEST(MedialAxis, TrianglesOfAPolygonHaveTheSameSites)
+{
+  forEachShape([](Pipeline& p) {
+    const MedialAxis& axis = p.axis();
+    std::map<Index, medial::Edge> samples;
+    for (Index cell = 0; cell < axis.cells.size(); ++cell)
+    {
+      const Index polygon = axis.polygonOfCell[cell];
+      ASSERT_EQ(polygon != None, cell >= axis.cells.firstTriangle());
+      if (polygon != None)
+      {
+        ASSERT_EQ(samples.emplace(polygon, axis.samplesOfCell[cell]).first->second,
+          axis.samplesOfCell[cell]);
+      }
+    }
+  });
+}
+
+TEST(MedialAxis, OfASphereIsItsCenter)
+{
+  const MedialAxis& axis = pipelines::of("sphere").axis();
+  ASSERT_EQ(axis.points.size(), 1u);
+  EXPECT_LT(axis.points[0].norm(), 1e-12);
+  EXPECT_NEAR(axis.radii[0], 1, 1e-12);
+  EXPECT_EQ(axis.cells.vertices, std::vector<Index>{ 0 });
+  EXPECT_EQ(axis.cells.size(), 1);
+}
+
+TEST(MedialAxis, ScalesWithTheSamplesToTheLastBit)
+{
+  for (const shapes::Shape& shape : { shapes::capsule(0.2), shapes::twoHolePlate(0.12) })
+  {
+    const MedialAxis reference = medial::medialAxis(medial::polarBalls(shape.samples));
+    for (const int exponent : { -20, -1, 20 })
+    {
+      SCOPED_TRACE(testing::Message() << shape.name << " by 2^" << exponent);
+      const double factor = std::ldexp(1, exponent);
+      const std::vector<Point> samples = shapes::scaled(shape.samples, factor);
+      EXPECT_EQ(pipelines::bytesOf(medial::medialAxis(medial::polarBalls(samples))),
+        pipelines::bytesOf(pipelines::inUnits(reference, factor)));
+    }
+  }
+}
+
+TEST(MedialAxis, MovesWithTheSamples)
+{
+  // Which of several flat cells there are at a sample is up to rounding, so single points differ.
+  for (const shapes::Shape& shape :
+    { shapes::capsule(), shapes::ellipsoid(), shapes::torus(), shapes::twoHolePlate(0.12) })
+  {
+    const MedialAxis reference = medial::medialAxis(medial::polarBalls(shape.samples));
+    const auto axisOf = [](const std::vector<Point>& samples) {
+      return medial::medialAxis(medial::polarBalls(samples));
+    };
+    for (const double factor : { 1e-6, 1e6 })
+    {
+      SCOPED_TRACE(testing::Message() << shape.name << " by " << factor);
+      const MedialAxis axis = axisOf(shapes::scaled(shape.samples, factor));
+      expectAlike(reference, axis, shapes::scaled(axis.points, 1 / factor), shape.spacing, 0.03);
+    }
+    {
+      SCOPED_TRACE(testing::Message() << shape.name << " moved");
+      const Point by(37, -11, 5);
+      const MedialAxis axis = axisOf(shapes::moved(shape.samples, by));
+      expectAlike(reference, axis, shapes::moved(axis.points, -by), shape.spacing, 0.03);
+    }
+    for (const unsigned seed : { 1u, 2u })
+    {
+      SCOPED_TRACE(testing::Message() << shape.name << " rotated, seed " << seed);
+      const MedialAxis axis = axisOf(shapes::rotated(shape.samples, seed));
+      expectAlike(reference, axis, shapes::rotated(axis.points, seed, true), shape.spacing, 0.03);
+    }
+  }
+}
+
+TEST(MedialAxis, DependsOnTheOrderOfSamplesInItsNumbersOnly)
+{
+  for (const shapes::Shape& shape :
+    { shapes::capsule(), shapes::torus(), shapes::twoHolePlate(), shapes::box() })
+  {
+    const MedialAxis reference = medial::medialAxis(medial::polarBalls(shape.samples));
+    for (unsigned seed = 3; seed < 5; ++seed)
+    {
+      SCOPED_TRACE(testing::Message() << shape.name << ", seed " << seed);
+      const auto order = shapes::shuffledOrder(shape.samples.size(), seed);
+      const MedialAxis axis =
+        medial::medialAxis(medial::polarBalls(shapes::reordered(shape.samples, order)));
+      EXPECT_EQ(axis.betti, reference.betti);
+      EXPECT_EQ(axis.points.size(), reference.points.size());
+      EXPECT_EQ(axis.cells.triangles.size(), reference.cells.triangles.size());
+      EXPECT_TRUE(validators::samePolygons(
+        pipelines::polygonsOf(reference), pipelines::polygonsOf(axis), 1e-10));
+    }
+  }
+}
+
+TEST(MedialAxis, IsTheSameOnManyThreadsAndInEveryRun)
+{
+  for (const char* name : { "two-hole plate", "box", "knot" })
+  {
+    SCOPED_TRACE(name);
+    Pipeline& p = pipelines::of(name);
+    EXPECT_EQ(pipelines::bytesOf(medial::medialAxis(p.balls(), {}, pipelines::threaded())),
+      pipelines::bytesOf(p.axis()));
+    EXPECT_EQ(pipelines::bytesOf(medial::medialAxis(p.balls())), pipelines::bytesOf(p.axis()));
+  }
+}
+
+TEST(MedialAxis, ReportsProgressAndStops)
+{
+  const medial::PolarBalls balls = medial::polarBalls(shapes::torus(0.3).samples);
+  pipelines::expectProgressAndAbort(
+    [&](const medial::Execution& execution) { medial::medialAxis(balls, {}, execution); });
+}
+
+TEST(MedialAxis, RefusesBallsWithoutInnerOnes)
+{
+  medial::PolarBalls balls = pipelines::of("capsule").balls();
+  std::replace(balls.sides.begin(), balls.sides.end(), Side::Inner, Side::Outer);
+  EXPECT_THROW(medial::medialAxis(balls), medial::InvalidInput);
+  EXPECT_THROW(medial::medialAxis(medial::polarBalls(shapes::gridCube(2))), medial::InvalidInput);
+  EXPECT_THROW(medial::medialAxis({}), medial::InvalidInput);
+}
+
+TEST(MedialAxis, RefusesCellsThatAreNoTriangulation)
+{
+  medial::PolarBalls balls = pipelines::of("capsule").balls();
+  balls.cells.insert(balls.cells.end(), 2, balls.cells[0]);
+  EXPECT_THROW(medial::medialAxis(balls), medial::InvalidInput);
+}

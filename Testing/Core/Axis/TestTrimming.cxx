@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Axis/Trimming.h"
+#include "Base/DisjointSets.h"
+#include "Complexes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+
+using complexes::Drawing;
+using medial::Edge;
+using medial::Index;
+using medial::None;
+using medial::Point;
+using medial::Polygon;
+using medial::SheetComplex;
+using medial::Triangle;
+
+namespace
+{
+/// What is drawn as faces and edges, with the two sites of each face.
+struct Drawn
+{
+  SheetComplex complex;
+  std::vector<Polygon> polygons;
+};
+
+/// All vertices are poles. `sitesOf(triangle)` are two of the sites.
+template <typename SitesOf>
+Drawn drawn(const Drawing& drawing, std::vector<Point> sites, const SitesOf& sitesOf)
+{
+  const medial::MedialAxis axis = drawing.axis();
+  Drawn result{ { axis.points, axis.ballOfPoint, std::move(sites), {} }, {} };
+  for (const Triangle& t : axis.cells.triangles)
+  {
+    result.polygons.push_back({ { t[0], t[1], t[2] }, medial::count(result.polygons) });
+    result.complex.siteEdges.push_back(sitesOf(t));
+  }
+  for (const Edge& edge : axis.cells.edges)
+  {
+    result.polygons.push_back({ { edge[0], edge[1] }, None });
+  }
+  return result;
+}
+
+medial::Betti bettiNumbers(const std::vector<Polygon>& polygons)
+{
+  validators::Complex complex;
+  for (const Polygon& polygon : polygons)
+  {
+    const std::vector<Index>& c = polygon.corners;
+    if (c.size() == 2)
+    {
+      complex.edges.push_back({ c[0], c[1] });
+    }
+    else
+    {
+      complex.triangles.push_back({ c[0], c[1], c[2] });
+    }
+  }
+  return validators::bettiNumbers(complex);
+}
+
+/// Groups of faces over the sides that exactly two of them have.
+Index parts(const std::vector<Polygon>& polygons)
+{
+  std::map<Edge, std::vector<Index>> faces;
+  for (Index p = 0; p < medial::count(polygons); ++p)
+  {
+    const std::vector<Index>& c = polygons[p].corners;
+    for (std::size_t i = 0; i < c.size(); ++i)
+    {
+      const Index a = c[i], b = c[(i + 1) % c.size()];
+      faces[{ std::min(a, b), std::max(a, b) }].push_back(p);
+    }
+  }
+  medial::DisjointSets groups(medial::count(polygons));
+  Index result = medial::count(polygons);
+  for (const auto& [side, at] : faces)
+  {
+    result -= at.size() == 2 && groups.unite(at[0], at[1]);
+  }
+  return result;
+}
+
+/// Three sheets, 5 wide and 7 high, at equal angles about the z axis; the third is lower.
+Drawn threeSheets(int heightOfThird)
+{
+  const double third = 2 * std::acos(-1.) / 3;
+  const auto around = [third](
+                        double k) { return Point(std::cos(k * third), std::sin(k * third), 0); };
+  Drawing drawing;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int height = k == 2 ? heightOfThird : 7;
+    drawing.sheet(Point::Zero(), Point(0, 0, 1), around(k), height, 5);
+  }
+  // The sites lie between the sheets, the two of a sheet beside it.
+  std::vector<Point> sites;
+  for (int k = 0; k < 3; ++k)
+  {
+    sites.push_back(4 * around(k + 0.5) + Point(0, 0, 3.5));
+  }
+  const std::vector<Point> points = drawing.axis().points;
+  return drawn(drawing, sites, [&](const Triangle& t) {
+    const Point middle = points[t[0]] + points[t[1]] + points[t[2]];
+    const auto nearer = [&](int a, int b) {
+      return middle.dot(around(a)) > middle.dot(around(b)) ? a : b;
+    };
+    const int k = nearer(nearer(0, 1), 2);
+    return Edge{ k, (k + 2) % 3 };
+  });
+}
+}
+
+TEST(Trimming, KeepsTheBettiNumbersOfRandomComplexes)
+{
+  int trimmed = 0;
+  for (unsigned seed = 500; seed < 800; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(-1, 1);
+    std::vector<Point> sites;
+    for (int i = 0; i < 6; ++i)
+    {
+      sites.push_back(Point(place(random), place(random), place(random)));
+    }
+    Drawn d = drawn(complexes::randomComplex(seed), sites, [&](const Triangle&) {
+      return Edge{ static_cast<Index>(random() % 6), static_cast<Index>(random() % 6) };
+    });
+    for (Index& ball : d.complex.ball)
+    {
+      ball = random() % 2 == 0 ? None : ball;
+    }
+    std::vector<Polygon> polygons = d.polygons;
+    const std::vector<char> gone = medial::trimSheets(d.complex, polygons);
+    EXPECT_EQ(bettiNumbers(polygons), bettiNumbers(d.polygons));
+    for (const Polygon& polygon : polygons)
+    {
+      for (const Index v : polygon.corners)
+      {
+        EXPECT_FALSE(gone[v]);
+      }
+    }
+    trimmed += polygons.size() != d.polygons.size();
+  }
+  EXPECT_GT(trimmed, 100);
+}
+
+TEST(Trimming, CutsSheetsApartThatAreOneAroundTheEndOfAThird)
+{
+  const Drawn d = threeSheets(6);
+  ASSERT_EQ(parts(d.polygons), 2);
+  std::vector<Polygon> polygons = d.polygons;
+  medial::trimSheets(d.complex, polygons);
+  EXPECT_EQ(parts(polygons), 3);
+  EXPECT_EQ(bettiNumbers(polygons), bettiNumbers(d.polygons));
+  EXPECT_GE(polygons.size() + 4, d.polygons.size());
+}
+
+TEST(Trimming, LeavesSheetsThatEndTogether)
+{
+  const Drawn d = threeSheets(7);
+  ASSERT_EQ(parts(d.polygons), 3);
+  std::vector<Polygon> polygons = d.polygons;
+  medial::trimSheets(d.complex, polygons);
+  EXPECT_EQ(polygons.size(), d.polygons.size());
+}
+
+TEST(Trimming, LeavesSheetsThatAreOneFarFromTheBorder)
+{
+  const Drawn d = threeSheets(2); // the border is farther than the sites
+  ASSERT_EQ(parts(d.polygons), 2);
+  std::vector<Polygon> polygons = d.polygons;
+  medial::trimSheets(d.complex, polygons);
+  EXPECT_EQ(polygons.size(), d.polygons.size());
+}
+
+TEST(Trimming, LeavesOutPiecesWithoutAPoleOfTheirOwn)
+{
+  for (const bool isPole : { false, true })
+  {
+    // A fin on a plate.
+    Drawing drawing;
+    drawing.sheet(Point(-3, -3, 0), Point(1, 0, 0), Point(0, 1, 0), 6, 6);
+    const Index tip = drawing.point(0.5, 0, 1);
+    drawing.triangle(drawing.point(0, 0, 0), drawing.point(1, 0, 0), tip);
+    const std::vector<Point> sites{ { 0, 0, 2 }, { 0, 0, -2 }, { 0, 2, 0 }, { 0, -2, 0 } };
+    Drawn d = drawn(drawing, sites, [tip](const Triangle& t) {
+      return t[0] == tip || t[1] == tip || t[2] == tip ? Edge{ 2, 3 } : Edge{ 0, 1 };
+    });
+    d.complex.ball[tip] = isPole ? d.complex.ball[tip] : None;
+    std::vector<Polygon> polygons = d.polygons;
+    const std::vector<char> gone = medial::trimSheets(d.complex, polygons);
+    EXPECT_EQ(polygons.size() + (isPole ? 0 : 1), d.polygons.size());
+    EXPECT_EQ(gone[tip] == 0, isPole);
+  }
+}

@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipelines.h"
+
+#include "Balls/PolarBalls.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+using medial::Index;
+using medial::None;
+using medial::Point;
+using medial::PolarBalls;
+using medial::Side;
+using pipelines::forEachShape;
+using pipelines::Pipeline;
+
+namespace
+{
+double sum(const std::vector<double>& values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+Index howMany(const PolarBalls& balls, Side side)
+{
+  return static_cast<Index>(std::count(balls.sides.begin(), balls.sides.end(), side));
+}
+
+std::string messageOf(const std::vector<Point>& samples)
+{
+  try
+  {
+    medial::polarBalls(samples);
+  }
+  catch (const medial::InvalidInput& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+bool isIn(const medial::IndexLists::View& list, Index item)
+{
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+double power(const Point& place, const medial::Ball& ball)
+{
+  return (place - ball.center).squaredNorm() - ball.radius * ball.radius;
+}
+}
+
+TEST(PolarBalls, AreEmptyOfSamples)
+{
+  forEachShape([](Pipeline& p) {
+    for (const medial::Ball& ball : p.balls().balls)
+    {
+      ASSERT_EQ(validators::pointsInside(ball, p.shape.samples, 1e-9 * p.diagonal), 0)
+        << ball.center.transpose() << " radius " << ball.radius;
+    }
+  });
+}
+
+TEST(PolarBalls, PassThroughTheirSamples)
+{
+  forEachShape([](Pipeline& p) {
+    const PolarBalls& balls = p.balls();
+    ASSERT_EQ(balls.ballSamples.size(), medial::count(balls.balls));
+    for (Index b = 0; b < balls.ballSamples.size(); ++b)
+    {
+      for (const Index s : balls.ballSamples[b])
+      {
+        const double distance = (balls.samples[s] - balls.balls[b].center).norm();
+        ASSERT_NEAR(distance, balls.balls[b].radius, 1e-9 * p.diagonal);
+      }
+    }
+  });
+}
+
+TEST(PolarBalls, HaveFourSamplesInOrderOrTouchAGuard)
+{
+  forEachShape([](Pipeline& p) {
+    const PolarBalls& balls = p.balls();
+    for (Index b = 0; b < balls.ballSamples.size(); ++b)
+    {
+      const auto samples = balls.ballSamples[b];
+      ASSERT_TRUE(samples.size() >= 4 || balls.touchesGuard[b]);
+      ASSERT_TRUE(std::is_sorted(samples.begin(), samples.end(), std::less_equal<>()));
+    }
+  });
+}
+
+TEST(PolarBalls, OfASampleAreOnItsTwoSides)
+{
+  forEachShape([](Pipeline& p) {
+    const PolarBalls& balls = p.balls();
+    for (Index s = 0; s < medial::count(p.shape.samples); ++s)
+    {
+      const Index inner = balls.innerBall[s], outer = balls.outerBall[s];
+      ASSERT_TRUE(
+        inner == None || (isIn(balls.ballSamples[inner], s) && balls.sides[inner] != Side::Outer));
+      ASSERT_TRUE(
+        outer == None || (isIn(balls.ballSamples[outer], s) && balls.sides[outer] != Side::Inner));
+      if (p.shape.smooth)
+      {
+        ASSERT_NE(inner, None) << "sample " << s;
+        ASSERT_NE(outer, None) << "sample " << s;
+      }
+    }
+  });
+}
+
+TEST(PolarBalls, AreLabelledAsTheSolidSays)
+{
+  forEachShape([](Pipeline& p) {
+    const PolarBalls& balls = p.balls();
+    Index wrong = 0;
+    for (std::size_t b = 0; b < balls.balls.size(); ++b)
+    {
+      const double outside = p.shape.outside(balls.balls[b].center);
+      const bool clear = std::abs(outside) > 1e-9 * p.diagonal; // a flat cell's centre may be on it
+      wrong +=
+        clear && balls.sides[b] != Side::Hidden && (outside > 0) != (balls.sides[b] == Side::Outer);
+    }
+    EXPECT_EQ(wrong, 0);
+  });
+}
+
+TEST(PolarBalls, ThatTouchAGuardAreOuter)
+{
+  forEachShape([](Pipeline& p) {
+    for (std::size_t b = 0; b < p.balls().balls.size(); ++b)
+    {
+      EXPECT_FALSE(p.balls().touchesGuard[b] && p.balls().sides[b] == Side::Inner);
+    }
+  });
+}
+
+TEST(PolarBalls, VolumesOfTheInnerSumToTheSolids)
+{
+  forEachShape([](Pipeline& p) {
+    const PolarBalls& balls = p.balls();
+    EXPECT_NEAR(sum(balls.volumes) / p.shape.volume, 1, 0.06);
+    for (std::size_t b = 0; b < balls.balls.size(); ++b)
+    {
+      EXPECT_GE(balls.volumes[b], 0);
+      EXPECT_TRUE(balls.sides[b] == Side::Inner || balls.volumes[b] == 0);
+    }
+  });
+}
+
+TEST(PolarBalls, OfASphereAreOneInside)
+{
+  const PolarBalls& balls = pipelines::of("sphere").balls();
+  EXPECT_EQ(howMany(balls, Side::Inner), 1);
+  const Index inner = balls.innerBall[0];
+  ASSERT_NE(inner, None);
+  EXPECT_LT(balls.balls[inner].center.norm(), 1e-12);
+  EXPECT_NEAR(balls.balls[inner].radius, 1, 1e-12);
+  EXPECT_EQ(balls.ballSamples[inner].size(), medial::count(balls.samples));
+}
+
+TEST(PolarBalls, AreHiddenWhereNoCellHasThem)
+{
+  forEachShape([](Pipeline& p) {
+    const PolarBalls& balls = p.balls();
+    std::vector<char> used(balls.balls.size(), 0);
+    for (const medial::Tetrahedron& cell : balls.cells)
+    {
+      for (const Index corner : cell)
+      {
+        used.at(static_cast<std::size_t>(corner)) = 1;
+      }
+    }
+    for (std::size_t b = 0; b < used.size(); ++b)
+    {
+      EXPECT_EQ(used[b] == 0, balls.sides[b] == Side::Hidden) << "ball " << b;
+    }
+  });
+}
+
+TEST(PolarBalls, CellsFormAnOrientedTriangulationOfABall)
+{
+  forEachShape([](Pipeline& p) {
+    const PolarBalls& balls = p.balls();
+    std::map<medial::Triangle, int> sides; // sum of orientations of the cells at a triangle
+    std::map<medial::Triangle, int> uses;
+    for (const medial::Tetrahedron& cell : balls.cells)
+    {
+      for (int i = 0; i < 4; ++i)
+      {
+        medial::Triangle t = medial::facet(cell, i);
+        const int inversions = (t[0] > t[1]) + (t[0] > t[2]) + (t[1] > t[2]);
+        std::sort(t.begin(), t.end());
+        sides[t] += inversions % 2 == 0 ? 1 : -1;
+        ++uses[t];
+      }
+    }
+    validators::Complex hull;
+    for (const auto& [triangle, count] : uses)
+    {
+      ASSERT_TRUE(count == 1 || (count == 2 && sides[triangle] == 0));
+      if (count == 1)
+      {
+        hull.triangles.push_back(triangle);
+      }
+    }
+    EXPECT_EQ(validators::bettiNumbers(hull), (medial::Betti{ 1, 0, 1 }));
+  });
+}
+
+TEST(PolarBalls, CellsAreNotTurnedInsideOut)
+{
+  forEachShape([](Pipeline& p) {
+    const PolarBalls& balls = p.balls();
+    for (const medial::Tetrahedron& c : balls.cells)
+    {
+      const auto at = [&](int i) { return balls.balls[c[i]].center; };
+      const double largest =
+        std::max({ (at(1) - at(0)).norm(), (at(2) - at(0)).norm(), (at(3) - at(0)).norm() });
+      // Centres are rounded once more when they leave the frame they were made in.
+      ASSERT_GE(validators::orientation(at(0), at(1), at(2), at(3)),
+        -1e-14 * p.diagonal * largest * largest);
+    }
+  });
+}
+
+TEST(PolarBalls, CellsAreRegular)
+{
+  // Where four centres are far from flat, no ball has less power at the point equal to theirs.
+  for (const char* name : { "capsule", "torus", "ellipsoid" })
+  {
+    SCOPED_TRACE(name);
+    Pipeline& p = pipelines::of(name);
+    const PolarBalls& balls = p.balls();
+    int checked = 0;
+    for (const medial::Tetrahedron& c : balls.cells)
+    {
+      Eigen::Matrix3d rows;
+      Point right;
+      const medial::Ball& first = balls.balls[c[0]];
+      for (int k = 0; k < 3; ++k)
+      {
+        const medial::Ball& other = balls.balls[c[k + 1]];
+        rows.row(k) = 2 * (other.center - first.center).transpose();
+        right[k] = (other.center - first.center).squaredNorm() - other.radius * other.radius +
+          first.radius * first.radius;
+      }
+      if (std::abs(rows.determinant()) < 1e-3 * std::pow(p.diagonal, 3))
+      {
+        continue;
+      }
+      const Point place = first.center + rows.fullPivLu().solve(right);
+      ++checked;
+      for (const medial::Ball& other : balls.balls)
+      {
+        ASSERT_GE(power(place, other), power(place, first) - 1e-7 * p.diagonal * p.diagonal);
+      }
+    }
+    EXPECT_GT(checked, 10);
+  }
+}
+
+TEST(PolarBalls, SpacingIsThatOfTheSamples)
+{
+  forEachShape([](Pipeline& p) {
+    const double spacing = validators::meanSpacing(p.shape.samples);
+    EXPECT_NEAR(p.balls().spacing / spacing, 1, 1e-9);
+  });
+}
+
+TEST(PolarBalls, QualityTellsSmoothFromSharp)
+{
+  forEachShape([](Pipeline& p) {
+    std::vector<double> quality = p.balls().samplingQuality;
+    ASSERT_EQ(quality.size(), p.shape.samples.size());
+    for (const double q : quality)
+    {
+      ASSERT_TRUE(q >= -1 && q <= 1);
+    }
+    std::nth_element(quality.begin(), quality.begin() + quality.size() / 2, quality.end());
+    EXPECT_GT(quality[quality.size() / 2], 0.9);
+  });
+  const Pipeline& box = pipelines::of("box");
+  EXPECT_LT(pipelines::of("box").balls().samplingQuality[0], 0.5)
+    << box.shape.samples[0].transpose();
+}
+
+TEST(PolarBalls, CountRepeatedSamplesOnce)
+{
+  const std::vector<Point> once = shapes::capsule(0.2).samples;
+  std::vector<Point> twice = once;
+  twice.insert(twice.end(), once.begin(), once.begin() + 40);
+  const PolarBalls a = medial::polarBalls(once), b = medial::polarBalls(twice);
+  EXPECT_EQ(pipelines::Bytes().add(a.balls).add(a.sides).add(a.ballSamples).add(a.cells).text,
+    pipelines::Bytes().add(b.balls).add(b.sides).add(b.ballSamples).add(b.cells).text);
+  for (Index s = 0; s < medial::count(twice); ++s)
+  {
+    const Index original = s < medial::count(once) ? None : s - medial::count(once);
+    EXPECT_EQ(b.duplicateOf[s], original);
+  }
+}
+
+TEST(PolarBalls, ScaleWithTheSamplesToTheLastBit)
+{
+  const std::vector<Point> samples = shapes::capsule(0.2).samples;
+  const PolarBalls reference = medial::polarBalls(samples);
+  for (const int exponent : { -20, -3, 1, 20 })
+  {
+    SCOPED_TRACE(testing::Message() << "2^" << exponent);
+    const double factor = std::ldexp(1, exponent);
+    const PolarBalls balls = medial::polarBalls(shapes::scaled(samples, factor));
+    EXPECT_EQ(pipelines::bytesOf(balls), pipelines::bytesOf(pipelines::inUnits(reference, factor)));
+  }
+}
+
+TEST(PolarBalls, AreAsManyInAnyUnitAndPlace)
+{
+  for (const shapes::Shape& shape : { shapes::capsule(0.2), shapes::twoHolePlate(0.11) })
+  {
+    const PolarBalls reference = medial::polarBalls(shape.samples);
+    const std::vector<std::vector<Point>> others{ shapes::scaled(shape.samples, 1e-6),
+      shapes::scaled(shape.samples, 1e6), shapes::moved(shape.samples, Point(37, -11, 5)),
+      shapes::rotated(shape.samples, 3) };
+    for (std::size_t i = 0; i < others.size(); ++i)
+    {
+      SCOPED_TRACE(testing::Message() << shape.name << ", motion " << i);
+      const PolarBalls balls = medial::polarBalls(others[i]);
+      EXPECT_EQ(howMany(balls, Side::Inner), howMany(reference, Side::Inner));
+      EXPECT_EQ(howMany(balls, Side::Outer), howMany(reference, Side::Outer));
+    }
+  }
+}
+
+TEST(PolarBalls, DependOnTheOrderOfSamplesInTheirNumbersOnly)
+{
+  const std::vector<Point> samples = shapes::capsule(0.2).samples;
+  const PolarBalls reference = medial::polarBalls(samples);
+  for (unsigned seed = 0; seed < 3; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const std::vector<Index> order = shapes::shuffledOrder(samples.size(), seed);
+    const PolarBalls balls = medial::polarBalls(shapes::reordered(samples, order));
+    ASSERT_EQ(balls.balls.size(), reference.balls.size());
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      const auto center = [](const PolarBalls& b, Index ball) {
+        return ball == None ? Point(0, 0, 0) : b.balls[ball].center;
+      };
+      EXPECT_EQ(
+        center(balls, balls.innerBall[i]), center(reference, reference.innerBall[order[i]]));
+      EXPECT_EQ(
+        center(balls, balls.outerBall[i]), center(reference, reference.outerBall[order[i]]));
+    }
+  }
+}
+
+TEST(PolarBalls, AreTheSameOnManyThreadsAndInEveryRun)
+{
+  for (const char* name : { "two-hole plate", "box" })
+  {
+    SCOPED_TRACE(name);
+    Pipeline& p = pipelines::of(name);
+    EXPECT_EQ(pipelines::bytesOf(medial::polarBalls(p.shape.samples, pipelines::threaded())),
+      pipelines::bytesOf(p.balls()));
+  }
+}
+
+TEST(PolarBalls, ReportProgressAndStop)
+{
+  const std::vector<Point> samples = shapes::torus(0.3).samples;
+  pipelines::expectProgressAndAbort(
+    [&](const medial::Execution& execution) { medial::polarBalls(samples, execution); });
+}
+
+TEST(PolarBalls, RefuseTooFewSamples)
+{
+  EXPECT_NE(messageOf({}), "");
+  EXPECT_NE(messageOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }).find("4"), std::string::npos);
+  EXPECT_NE(messageOf(std::vector<Point>(50, Point(1, 2, 3))).find("distinct"), std::string::npos);
+  EXPECT_NE(
+    messageOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 1, 0 }, { 1, 0, 0 } }).find("distinct"),
+    std::string::npos);
+}
+
+TEST(PolarBalls, RefuseSamplesOnALine)
+{
+  std::vector<Point> line;
+  for (int i = 0; i < 30; ++i)
+  {
+    line.push_back(Point(0.1, 0.2, 0.3) + 0.1 * i * Point(1, 2, -0.7));
+  }
+  EXPECT_NE(messageOf(line).find("line"), std::string::npos);
+}
+
+TEST(PolarBalls, RefuseSamplesInAPlane)
+{
+  std::vector<Point> plane, tilted;
+  for (int i = 0; i < 100; ++i)
+  {
+    plane.emplace_back(i % 10, i / 10, 0.25);
+    tilted.push_back(
+      Point(3, 1, 2) + i % 10 * Point(0.1, 0.7, 0.3) + i / 10 * Point(0.4, -0.1, 0.2));
+  }
+  EXPECT_NE(messageOf(plane).find("plane"), std::string::npos);
+  EXPECT_NE(messageOf(tilted).find("plane"), std::string::npos);
+}
+
+TEST(PolarBalls, RefuseCoordinatesThatAreNotFinite)
+{
+  for (const double bad : { std::numeric_limits<double>::quiet_NaN(),
+         std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
+  {
+    std::vector<Point> samples = shapes::sphere(0.5).samples;
+    samples[7].y() = bad;
+    EXPECT_NE(messageOf(samples).find("finite"), std::string::npos) << bad;
+    EXPECT_NE(messageOf(samples).find("7"), std::string::npos) << "names the sample";
+  }
+}
+
+TEST(PolarBalls, RefuseCoordinatesNearTheEndOfTheRange)
+{
+  const std::vector<Point> samples = shapes::torus(0.5).samples;
+  EXPECT_NE(messageOf(shapes::scaled(samples, 1e300)), "");
+  EXPECT_NE(messageOf(shapes::scaled(samples, 5e307)), "");
+  EXPECT_NE(messageOf(shapes::scaled(samples, 1e-300)), "");
+}
+
+TEST(PolarBalls, OfACubesCornersAreAllOutside)
+{
+  // A corner of three faces sees its two farthest Voronoi vertices outside.
+  const PolarBalls balls = medial::polarBalls(shapes::gridCube(2));
+  EXPECT_EQ(howMany(balls, Side::Inner), 0);
+  EXPECT_GT(howMany(balls, Side::Outer), 0);
+  EXPECT_EQ(std::count(balls.innerBall.begin(), balls.innerBall.end(), None), 8);
+}
+
+TEST(PolarBalls, OfACubesFaceCentersAreOneInside)
+{
+  const PolarBalls balls = medial::polarBalls(shapes::gridCube(3));
+  EXPECT_EQ(howMany(balls, Side::Inner), 1);
+  const Index center = 4; // of the lowest face
+  ASSERT_NE(balls.innerBall[center], None);
+  EXPECT_EQ(balls.ballSamples[balls.innerBall[center]].size(), 6);
+  EXPECT_EQ(balls.balls[balls.innerBall[center]].center, Point(1, 1, 1));
+  EXPECT_EQ(balls.balls[balls.innerBall[center]].radius, 1);
+}
+
+TEST(PolarBalls, OfAGridAreFiniteAndEmpty)
+{
+  const std::vector<Point> samples = shapes::gridCube(7);
+  const PolarBalls balls = medial::polarBalls(samples);
+  for (const medial::Ball& ball : balls.balls)
+  {
+    ASSERT_TRUE(ball.center.allFinite() && std::isfinite(ball.radius));
+    ASSERT_EQ(validators::pointsInside(ball, samples, 1e-8), 0);
+  }
+  EXPECT_NEAR(sum(balls.volumes) / 216, 1, 0.01);
+}
+
+TEST(PolarBalls, OfAnOpenSurfaceAreStillEmpty)
+{
+  const std::vector<Point> samples = shapes::openBowl();
+  const PolarBalls balls = medial::polarBalls(samples);
+  EXPECT_EQ(balls.innerBall.size(), samples.size());
+  for (const medial::Ball& ball : balls.balls)
+  {
+    ASSERT_EQ(validators::pointsInside(ball, samples, 1e-8), 0);
+  }
+}

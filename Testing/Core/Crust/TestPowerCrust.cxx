@@ -1,0 +1,493 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipelines.h"
+
+#include "Crust/PowerCrust.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+
+using medial::Betti;
+using medial::Crust;
+using medial::CrustOptions;
+using medial::CrustRule;
+using medial::Index;
+using medial::None;
+using medial::Point;
+using medial::Side;
+using pipelines::forEachShape;
+using pipelines::Pipeline;
+
+namespace
+{
+/// For every shape: before pruning and after.
+void forEachCrust(const std::function<void(Pipeline&, const Crust&)>& test)
+{
+  forEachShape([&](Pipeline& p) {
+    {
+      SCOPED_TRACE("before pruning");
+      test(p, p.crust());
+    }
+    {
+      SCOPED_TRACE("after pruning");
+      test(p, p.crustAfterPruning());
+    }
+  });
+}
+
+std::vector<medial::Ball> balls(const medial::PolarBalls& all, const std::vector<char>& keep)
+{
+  std::vector<medial::Ball> result;
+  for (std::size_t b = 0; b < all.balls.size(); ++b)
+  {
+    if (all.sides[b] == Side::Inner && (keep.empty() || keep[b]))
+    {
+      result.push_back(all.balls[b]);
+    }
+  }
+  return result;
+}
+
+/// The largest distance of a point that is no sample to the union of the balls.
+double largestClearance(const Crust& crust, const std::vector<medial::Ball>& kept)
+{
+  double largest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < crust.points.size(); ++i)
+  {
+    if (crust.sampleOfPoint[i] == None)
+    {
+      largest = std::max(largest, validators::clearance(crust.points[i], kept));
+    }
+  }
+  return largest;
+}
+
+double power(const Point& place, const medial::Ball& ball)
+{
+  return (place - ball.center).squaredNorm() - ball.radius * ball.radius;
+}
+
+Crust crustOf(const std::vector<Point>& samples)
+{
+  return medial::powerCrust(medial::polarBalls(samples));
+}
+
+/// Keeps the inner balls on one side of a plane.
+std::vector<char> keepBelow(const medial::PolarBalls& all, double x)
+{
+  std::vector<char> keep;
+  for (const medial::Ball& ball : all.balls)
+  {
+    keep.push_back(ball.center.x() < x ? 1 : 0);
+  }
+  return keep;
+}
+}
+
+TEST(PowerCrust, IsClosed)
+{
+  forEachCrust([](Pipeline&, const Crust& crust) {
+    EXPECT_TRUE(validators::isClosed(crust.faces));
+    EXPECT_TRUE(crust.closed);
+  });
+}
+
+TEST(PowerCrust, IsOriented)
+{
+  forEachCrust(
+    [](Pipeline&, const Crust& crust) { EXPECT_TRUE(validators::isOriented(crust.faces)); });
+}
+
+TEST(PowerCrust, IsATwoManifold)
+{
+  forEachCrust([](Pipeline&, const Crust& crust) {
+    EXPECT_TRUE(validators::isTwoManifold(crust.faces));
+    EXPECT_TRUE(crust.manifold);
+  });
+}
+
+TEST(PowerCrust, EnclosesTheTopologyOfTheSolid)
+{
+  forEachCrust([](Pipeline& p, const Crust& crust) {
+    EXPECT_EQ(crust.betti, p.shape.betti);
+    ASSERT_TRUE(validators::isTwoManifold(crust.faces) && validators::isOriented(crust.faces));
+    EXPECT_EQ(validators::bettiOfSolid(crust.points, crust.faces), p.shape.betti);
+  });
+}
+
+TEST(PowerCrust, StaysClosedWhenTriangulated)
+{
+  forEachCrust([](Pipeline&, const Crust& crust) {
+    EXPECT_TRUE(validators::isClosed(validators::triangulated(crust.faces)));
+  });
+}
+
+TEST(PowerCrust, EnclosesTheVolumeItSays)
+{
+  forEachCrust([](Pipeline&, const Crust& crust) {
+    EXPECT_NEAR(crust.volume / validators::enclosedVolume(crust.points, crust.faces), 1, 1e-9);
+  });
+}
+
+TEST(PowerCrust, EnclosesTheSolidsVolume)
+{
+  forEachShape([](Pipeline& p) {
+    EXPECT_NEAR(p.crust().volume / p.shape.volume, 1, 0.05);
+    EXPECT_LE(p.crustAfterPruning().volume, 1.001 * p.crust().volume);
+    // Two ways to the same number: by the surface, and by the tetrahedra inside.
+    const std::vector<double>& volumes = p.balls().volumes;
+    const double tetrahedra = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+    EXPECT_NEAR(p.crust().volume / tetrahedra, 1, 0.05);
+  });
+}
+
+TEST(PowerCrust, LosesTheVolumeThatWasPruned)
+{
+  forEachShape([](Pipeline& p) {
+    double removed = 0;
+    for (const medial::PruneRow& row : p.pruned().history)
+    {
+      removed += row.volumeRemoved;
+    }
+    const double lost = 1 - p.crustAfterPruning().volume / p.crust().volume;
+    EXPECT_LE(lost, removed + 0.01);
+    EXPECT_GE(lost, -0.001);
+  });
+}
+
+TEST(PowerCrust, HasMostSamplesAsVertices)
+{
+  forEachShape([](Pipeline& p) {
+    std::set<Index> samples(p.crust().sampleOfPoint.begin(), p.crust().sampleOfPoint.end());
+    samples.erase(None);
+    // At this density; of a sphere, one inner ball, only those with three outer balls.
+    const double least = p.shape.name == "sphere" ? 0.4 : 0.7;
+    EXPECT_GT(static_cast<double>(samples.size()) / p.shape.samples.size(), least);
+  });
+}
+
+TEST(PowerCrust, PointsThatAreSamplesAreThere)
+{
+  forEachCrust([](Pipeline& p, const Crust& crust) {
+    ASSERT_EQ(crust.sampleOfPoint.size(), crust.points.size());
+    std::set<Index> seen;
+    for (std::size_t i = 0; i < crust.points.size(); ++i)
+    {
+      const Index sample = crust.sampleOfPoint[i];
+      if (sample != None)
+      {
+        ASSERT_EQ(crust.points[i], p.shape.samples[sample]);
+        ASSERT_TRUE(seen.insert(sample).second) << "sample " << sample << " twice";
+      }
+    }
+  });
+}
+
+TEST(PowerCrust, UsesEveryPointAndNoneTwiceInAFace)
+{
+  forEachCrust([](Pipeline&, const Crust& crust) {
+    std::set<Index> used;
+    for (Index f = 0; f < crust.faces.size(); ++f)
+    {
+      const std::set<Index> corners(crust.faces[f].begin(), crust.faces[f].end());
+      EXPECT_GE(crust.faces[f].size(), 3);
+      EXPECT_EQ(medial::count(corners), crust.faces[f].size());
+      used.insert(corners.begin(), corners.end());
+    }
+    EXPECT_EQ(used.size(), crust.points.size());
+  });
+}
+
+TEST(PowerCrust, LiesOnTheSolidsBoundary)
+{
+  forEachShape([](Pipeline& p) {
+    double largest = 0;
+    for (const Point& point : p.crust().points)
+    {
+      largest = std::max(largest, std::abs(p.shape.outside(point)));
+    }
+    EXPECT_LT(largest, (p.shape.smooth ? 0.7 : 1.5) * p.shape.spacing);
+  });
+}
+
+TEST(PowerCrust, FacesLieBetweenAnInnerAndAnOuterBall)
+{
+  forEachCrust([](Pipeline& p, const Crust& crust) {
+    const medial::PolarBalls& all = p.balls();
+    ASSERT_EQ(medial::count(crust.innerBall), crust.faces.size());
+    ASSERT_EQ(medial::count(crust.outerBall), crust.faces.size());
+    for (Index f = 0; f < crust.faces.size(); ++f)
+    {
+      const Index inner = crust.innerBall[f], outer = crust.outerBall[f];
+      ASSERT_TRUE(inner != None && all.sides[inner] == Side::Inner);
+      ASSERT_TRUE(outer == None ? crust.insertedBalls > 0 : all.sides[outer] == Side::Outer);
+      for (const Index corner : crust.faces[f])
+      {
+        const Point& place = crust.points[corner];
+        if (outer != None)
+        {
+          ASSERT_NEAR(power(place, all.balls[inner]), power(place, all.balls[outer]),
+            1e-6 * p.diagonal * p.diagonal);
+        }
+      }
+    }
+  });
+}
+
+TEST(PowerCrust, AfterPruningIsBehindKeptBallsOnly)
+{
+  forEachShape([](Pipeline& p) {
+    const std::vector<char> keep = p.keptAfterPruning();
+    for (const Index inner : p.crustAfterPruning().innerBall)
+    {
+      ASSERT_TRUE(keep[inner]);
+    }
+  });
+}
+
+TEST(PowerCrust, StatesItsLargestClearance)
+{
+  forEachCrust([](Pipeline& p, const Crust& crust) {
+    const bool before = &crust == &p.crust();
+    const std::vector<medial::Ball> kept =
+      balls(p.balls(), before ? std::vector<char>{} : p.keptAfterPruning());
+    const double largest = largestClearance(crust, kept) / p.balls().spacing;
+    EXPECT_NEAR(crust.maximumClearance, std::max(largest, 0.0), 1e-6);
+  });
+}
+
+// Vertices that pruning has not touched may be farther, as the corners of a sharp box are before it.
+TEST(PowerCrust, StaysWithinOneSpacingOfTheKeptBallsOrWhereItWas)
+{
+  forEachShape([](Pipeline& p) {
+    const std::vector<medial::Ball> kept = balls(p.balls(), p.keptAfterPruning());
+    const double bound = std::max(1.0, p.crust().maximumClearance);
+    EXPECT_LE(largestClearance(p.crustAfterPruning(), kept), (bound + 1e-6) * p.balls().spacing);
+  });
+}
+
+TEST(PowerCrust, IsAsBeforeAwayFromRemovedBalls)
+{
+  Pipeline& p = pipelines::of("capsule");
+  const Crust crust = medial::powerCrust(p.balls(), keepBelow(p.balls(), 0.3));
+  const validators::NearestPoint nearest(crust.points);
+  std::size_t away = 0;
+  for (const Point& point : p.crust().points)
+  {
+    const bool isAway = point.x() < 0.3 - 0.5 - 3 * p.balls().spacing; // the radius is 0.5
+    away += isAway;
+    EXPECT_TRUE(!isAway || nearest.distance(point) < 1e-9);
+  }
+  EXPECT_GT(away, p.crust().points.size() / 4);
+}
+
+TEST(PowerCrust, StaysWithinTheClearanceAskedFor)
+{
+  Pipeline& p = pipelines::of("box");
+  for (const double clearance : { 0.5, 2.0 })
+  {
+    SCOPED_TRACE(testing::Message() << "clearance " << clearance);
+    CrustOptions options;
+    options.clearance = clearance;
+    const std::vector<char> keep = p.keptAfterPruning();
+    const Crust crust = medial::powerCrust(p.balls(), keep, options);
+    EXPECT_TRUE(validators::isTwoManifold(crust.faces));
+    EXPECT_LE(largestClearance(crust, balls(p.balls(), keep)) / p.balls().spacing,
+      std::max(clearance, p.crust().maximumClearance) + 1e-6);
+  }
+}
+
+TEST(PowerCrust, WithoutRefinementInsertsNothing)
+{
+  Pipeline& p = pipelines::of("box");
+  for (const CrustRule rule : { CrustRule::InnerOnly, CrustRule::InnerAndOuter })
+  {
+    CrustOptions options;
+    options.rule = rule;
+    const Crust crust = medial::powerCrust(p.balls(), p.keptAfterPruning(), options);
+    EXPECT_EQ(crust.insertedBalls, 0);
+    EXPECT_EQ(crust.rounds, 0);
+    EXPECT_TRUE(validators::isClosed(crust.faces));
+    EXPECT_TRUE(validators::isOriented(crust.faces));
+    EXPECT_EQ(std::count(crust.outerBall.begin(), crust.outerBall.end(), None), 0);
+  }
+}
+
+TEST(PowerCrust, WithAllBallsKeptIsAsIfNothingHadBeenAsked)
+{
+  forEachShape([](Pipeline& p) {
+    const std::vector<char> keep = pipelines::keptBalls(p.axis(), p.parts());
+    EXPECT_EQ(
+      pipelines::bytesOf(medial::powerCrust(p.balls(), keep)), pipelines::bytesOf(p.crust()));
+  });
+}
+
+TEST(PowerCrust, CutsOffWhatIsRemoved)
+{
+  Pipeline& p = pipelines::of("capsule");
+  const std::vector<char> keep = keepBelow(p.balls(), 0.3);
+  const Crust crust = medial::powerCrust(p.balls(), keep);
+  EXPECT_TRUE(validators::isTwoManifold(crust.faces));
+  EXPECT_EQ(crust.betti, (Betti{ 1, 0, 0 }));
+  const std::vector<medial::Ball> kept = balls(p.balls(), keep);
+  for (const Point& point : crust.points)
+  {
+    EXPECT_LT(point.x(), 0.3 + 0.5 + 3 * p.balls().spacing);
+  }
+  EXPECT_LE(largestClearance(crust, kept), (1 + 1e-6) * p.balls().spacing);
+  // Untouched where all balls are kept.
+  const validators::NearestPoint nearest(crust.points);
+  for (const Point& sample : p.shape.samples)
+  {
+    if (sample.x() < -0.5)
+    {
+      EXPECT_LT(nearest.distance(sample), p.balls().spacing);
+    }
+  }
+}
+
+TEST(PowerCrust, OfATorusCutOpenHasNoTunnel)
+{
+  Pipeline& p = pipelines::of("torus");
+  const Crust crust = medial::powerCrust(p.balls(), keepBelow(p.balls(), 1.2));
+  EXPECT_TRUE(validators::isTwoManifold(crust.faces));
+  EXPECT_EQ(crust.betti, (Betti{ 1, 0, 0 }));
+}
+
+TEST(PowerCrust, HasTheTopologyOfThePrunedAxis)
+{
+  forEachShape([](Pipeline& p) {
+    CrustOptions options;
+    options.topology = p.pruned().axis.betti;
+    const Crust crust = medial::powerCrust(p.balls(), p.keptAfterPruning(), options);
+    EXPECT_EQ(crust.betti, p.pruned().axis.betti);
+    EXPECT_EQ(crust.refusedBalls, 0);
+    EXPECT_TRUE(validators::isTwoManifold(crust.faces));
+  });
+}
+
+TEST(PowerCrust, ScalesWithTheSamplesToTheLastBit)
+{
+  const std::vector<Point> samples = shapes::twoHolePlate(0.12).samples;
+  const medial::PolarBalls all = medial::polarBalls(samples);
+  const Crust reference = medial::powerCrust(all, keepBelow(all, 0.4));
+  for (const int exponent : { -20, -1, 20 })
+  {
+    SCOPED_TRACE(testing::Message() << "2^" << exponent);
+    const double factor = std::ldexp(1, exponent);
+    const medial::PolarBalls other = medial::polarBalls(shapes::scaled(samples, factor));
+    EXPECT_EQ(pipelines::bytesOf(medial::powerCrust(other, keepBelow(other, 0.4 * factor))),
+      pipelines::bytesOf(pipelines::inUnits(reference, factor)));
+  }
+}
+
+TEST(PowerCrust, MovesWithTheSamples)
+{
+  // Which of several flat cells there are at a sample is up to rounding, so single vertices differ.
+  for (const shapes::Shape& shape : { shapes::capsule(0.2), shapes::torus(0.3) })
+  {
+    SCOPED_TRACE(shape.name);
+    const Crust reference = crustOf(shape.samples);
+    const auto expectLike = [&](const Crust& crust, const std::vector<Point>& back, double unit) {
+      EXPECT_EQ(crust.betti, reference.betti);
+      EXPECT_TRUE(validators::isTwoManifold(crust.faces));
+      EXPECT_LT(validators::hausdorffDistance(back, reference.points), 2 * shape.spacing);
+      EXPECT_LT(validators::hausdorffDistance(reference.points, back), 2 * shape.spacing);
+      EXPECT_NEAR(crust.volume / std::pow(unit, 3) / reference.volume, 1, 0.01);
+    };
+    for (const double factor : { 1e-6, 1e6 })
+    {
+      const Crust crust = crustOf(shapes::scaled(shape.samples, factor));
+      expectLike(crust, shapes::scaled(crust.points, 1 / factor), factor);
+    }
+    const Crust moved = crustOf(shapes::moved(shape.samples, Point(37, -11, 5)));
+    expectLike(moved, shapes::moved(moved.points, Point(-37, 11, -5)), 1);
+    const Crust turned = crustOf(shapes::rotated(shape.samples, 8));
+    expectLike(turned, shapes::rotated(turned.points, 8, true), 1);
+  }
+}
+
+TEST(PowerCrust, DependsOnTheOrderOfSamplesInItsNumbersOnly)
+{
+  const std::vector<Point> samples = shapes::twoHolePlate(0.12).samples;
+  const Crust reference = crustOf(samples);
+  const auto order = shapes::shuffledOrder(samples.size(), 4);
+  const Crust crust = crustOf(shapes::reordered(samples, order));
+  const auto polygons = [](const Crust& c) {
+    validators::Polygons result{ c.points, {} };
+    for (Index f = 0; f < c.faces.size(); ++f)
+    {
+      result.polygons.emplace_back(c.faces[f].begin(), c.faces[f].end());
+    }
+    return result;
+  };
+  EXPECT_EQ(crust.points.size(), reference.points.size());
+  EXPECT_TRUE(validators::samePolygons(polygons(crust), polygons(reference), 1e-10));
+}
+
+TEST(PowerCrust, IsTheSameOnManyThreads)
+{
+  Pipeline& p = pipelines::of("box");
+  EXPECT_EQ(pipelines::bytesOf(
+              medial::powerCrust(p.balls(), p.keptAfterPruning(), {}, pipelines::threaded())),
+    pipelines::bytesOf(p.crustAfterPruning()));
+}
+
+TEST(PowerCrust, ReportsProgressAndStops)
+{
+  const medial::PolarBalls all = medial::polarBalls(shapes::torus(0.3).samples);
+  pipelines::expectProgressAndAbort(
+    [&](const medial::Execution& execution) { medial::powerCrust(all, {}, {}, execution); });
+}
+
+TEST(PowerCrust, OfNoSurfaceAtAllIsStillClosed)
+{
+  std::vector<std::vector<Point>> inputs{ shapes::openBowl(), shapes::gridCube(5) };
+  for (unsigned seed = 0; seed < 4; ++seed)
+  {
+    inputs.push_back(shapes::cloud(150, seed));
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    SCOPED_TRACE(testing::Message() << "input " << i);
+    const medial::PolarBalls all = medial::polarBalls(inputs[i]);
+    if (std::count(all.sides.begin(), all.sides.end(), Side::Inner) == 0)
+    {
+      EXPECT_THROW(medial::powerCrust(all), medial::InvalidInput);
+      continue;
+    }
+    const Crust crust = medial::powerCrust(all);
+    EXPECT_EQ(
+      crust.closed, validators::isClosed(crust.faces) && validators::isOriented(crust.faces));
+    EXPECT_EQ(crust.manifold, validators::isTwoManifold(crust.faces));
+    EXPECT_TRUE(std::all_of(crust.points.begin(), crust.points.end(),
+      [](const Point& point) { return point.allFinite(); }));
+  }
+}
+
+TEST(PowerCrust, RefusesToKeepNothing)
+{
+  const medial::PolarBalls& all = pipelines::of("capsule").balls();
+  EXPECT_THROW(
+    medial::powerCrust(all, std::vector<char>(all.balls.size(), 0)), medial::InvalidInput);
+  EXPECT_THROW(medial::powerCrust({}), medial::InvalidInput);
+}
+
+TEST(PowerCrust, RefusesAListThatDoesNotFit)
+{
+  const medial::PolarBalls& all = pipelines::of("capsule").balls();
+  EXPECT_THROW(medial::powerCrust(all, { 1, 1, 1 }), medial::InvalidInput);
+}
+
+TEST(PowerCrust, RefusesAClearanceThatIsNotPositive)
+{
+  const medial::PolarBalls& all = pipelines::of("capsule").balls();
+  for (const double bad : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    CrustOptions options;
+    options.clearance = bad;
+    EXPECT_THROW(medial::powerCrust(all, {}, options), medial::InvalidInput) << bad;
+  }
+}

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipelines.h"
+
+#include "Axis/AxisEdges.h"
+#include "Axis/Erosion.h"
+#include "Base/BallTree.h"
+#include "Parts/Measures.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+using medial::allMeasures;
+using medial::Ball;
+using medial::Index;
+using medial::Measure;
+using medial::MeasureTraits;
+using medial::MedialAxis;
+using medial::MedialPart;
+using medial::None;
+using medial::Partition;
+using medial::Point;
+using medial::Pruned;
+using medial::PruneOptions;
+using medial::SiteView;
+using pipelines::forEachShape;
+using pipelines::Pipeline;
+
+namespace
+{
+Partition partitionOf(const MedialAxis& axis)
+{
+  return medial::partition(axis.cells, medial::axisEdges(axis.cells));
+}
+
+double areaOf(const MedialAxis& axis, Index cell)
+{
+  const medial::Triangle& t = axis.cells.triangles[cell - axis.cells.firstTriangle()];
+  const Point& a = axis.points[t[0]];
+  return 0.5 * (axis.points[t[1]] - a).cross(axis.points[t[2]] - a).norm();
+}
+
+std::vector<double> significance(
+  const MedialAxis& axis, Measure measure, const medial::Execution& execution = {})
+{
+  const medial::IndexLists cells = medial::cellsOfPoints(axis.cells);
+  return medial::PartMeasures(axis, cells).significance(measure, partitionOf(axis), execution);
+}
+}
+
+TEST(SiteView, IsThatOfTheFarthestTwo)
+{
+  const SiteView two = medial::siteView(Point(0, 0, 0), { Point(1, 0, 0), Point(0, 2, 0) });
+  EXPECT_NEAR(two.objectAngle, 90, 1e-12);
+  EXPECT_NEAR(two.lambda, std::sqrt(5), 1e-12);
+  const SiteView three =
+    medial::siteView(Point(0, 0, 0), { Point(1, 0, 0), Point(0, 1, 0), Point(-3, 0, 0) });
+  EXPECT_NEAR(three.objectAngle, 180, 1e-12);
+  EXPECT_NEAR(three.lambda, 4, 1e-12);
+}
+
+TEST(SiteView, FromItsCornersIsThatOfThePointsWhereTheirSpheresMeet)
+{
+  const std::vector<Point> sites{ Point(0.3, 0.2, 1), Point(0.3, 0.2, -1) };
+  const auto through = [&](double x, double y) {
+    return Ball{ Point(x, y, 0), (Point(x, y, 0) - sites[0]).norm() };
+  };
+  const std::vector<Ball> corners{ through(0, 0), through(2, 0.1), through(0.4, 1.5) };
+  const Point centroid = (corners[0].center + corners[1].center + corners[2].center) / 3;
+  const SiteView expected = medial::siteView(centroid, sites);
+  const SiteView view = medial::siteView(corners);
+  EXPECT_NEAR(view.objectAngle, expected.objectAngle, 1e-9);
+  EXPECT_NEAR(view.lambda, 2, 1e-12);
+  // Two equal balls of radius 5 at the distance 6 meet in a circle of radius 4.
+  const SiteView line = medial::siteView({ { Point(0, 0, -3), 5 }, { Point(0, 0, 3), 5 } });
+  EXPECT_NEAR(line.objectAngle, 180, 1e-12);
+  EXPECT_NEAR(line.lambda, 8, 1e-12);
+  const SiteView point = medial::siteView({ { Point(1, 2, 3), 5 } });
+  EXPECT_EQ(point.objectAngle, 180);
+  EXPECT_EQ(point.lambda, 10);
+}
+
+TEST(SiteView, IsNothingWhereTheSpheresDoNotMeet)
+{
+  const std::vector<Ball> apart{ { Point(0, 0, 0), 1 }, { Point(9, 0, 0), 1 },
+    { Point(0, 9, 0), 1 } };
+  EXPECT_EQ(medial::siteView(apart).lambda, 0);
+  EXPECT_EQ(medial::siteView({ apart[0], apart[1] }).lambda, 0);
+  EXPECT_EQ(medial::siteView({ apart[0], apart[1] }).objectAngle, 0);
+}
+
+TEST(SiteView, OfThePlateIsStraightAcrossIt)
+{
+  // Its middle sheet has the two faces on its two sides, 0.4 apart. No point of a face is farther from
+  // a sample than the spacing: sites are at most that far aside, and those where balls meet between
+  // samples lie that much deeper.
+  Pipeline& p = pipelines::of("two-hole plate");
+  const MedialAxis& axis = p.axis();
+  const double radius = 0.2, spacing = p.shape.spacing;
+  const double least = 2 * std::atan2(radius, spacing) * 180 / M_PI;
+  double area = 0, flat = 0, lambda = 0;
+  for (Index cell = axis.cells.firstTriangle(); cell < axis.cells.size(); ++cell)
+  {
+    const SiteView& view = axis.siteViews[cell];
+    const double size = areaOf(axis, cell);
+    area += size;
+    if (view.objectAngle >= least)
+    {
+      flat += size;
+      lambda += size * view.lambda;
+      EXPECT_LT(view.lambda, 2 * std::hypot(radius, spacing));
+    }
+  }
+  EXPECT_GT(flat, 0.95 * area);
+  EXPECT_GT(lambda / flat, 2 * std::sqrt(radius * radius - spacing * spacing));
+}
+
+TEST(SiteView, OfABoxTellsTheSeamsFromTheMiddle)
+{
+  // Sheets along the edges see two sides at right angles, the one in the middle two opposite sides at
+  // a distance of 1. It has an area of 2 x 1.
+  Pipeline& p = pipelines::of("box");
+  const MedialAxis& axis = p.axis();
+  double seams = 0, middle = 0, other = 0;
+  for (Index cell = axis.cells.firstTriangle(); cell < axis.cells.size(); ++cell)
+  {
+    const SiteView& view = axis.siteViews[cell];
+    const double size = areaOf(axis, cell);
+    const bool isMiddle = view.objectAngle > 160;
+    const bool isSeam = std::abs(view.objectAngle - 90) < 15;
+    (isMiddle ? middle : isSeam ? seams : other) += size;
+    EXPECT_TRUE(!isMiddle || std::abs(view.lambda - 1) < 0.02) << view.lambda;
+  }
+  EXPECT_NEAR(middle, 2, 0.2);
+  EXPECT_LT(other, 0.05 * (seams + middle));
+}
+
+TEST(SiteView, OfACapsuleIsItsDiameter)
+{
+  // The sites of a line lie about it, so the farthest two of three are at least an equilateral
+  // triangle's side apart.
+  const MedialAxis& axis = pipelines::of("capsule").axis();
+  ASSERT_GT(axis.cells.edges.size(), 0u);
+  for (Index cell = axis.cells.firstEdge(); cell < axis.cells.firstTriangle(); ++cell)
+  {
+    EXPECT_LE(axis.siteViews[cell].lambda, 1 + 1e-6);
+  }
+  EXPECT_NEAR(significance(axis, Measure::Lambda).front(), 1, 0.05);
+}
+
+TEST(SiteView, OfAnEllipsoidIsLargestInTheMiddle)
+{
+  const std::vector<double> lambdas =
+    significance(pipelines::of("ellipsoid").axis(), Measure::Lambda);
+  EXPECT_NEAR(*std::max_element(lambdas.begin(), lambdas.end()), 1, 0.02); // its shortest diameter
+}
+
+TEST(Measures, AreThoseOfTheParts)
+{
+  forEachShape([](Pipeline& p) {
+    const std::vector<MedialPart>& parts = p.parts().parts;
+    const auto expectValues = [&](Measure measure, double MedialPart::*value) {
+      SCOPED_TRACE(testing::Message() << "measure " << static_cast<int>(measure));
+      const std::vector<double> values = significance(p.axis(), measure);
+      ASSERT_EQ(values.size(), parts.size());
+      for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        EXPECT_NEAR(values[i], parts[i].*value, 1e-12 * (1 + values[i])) << "part " << i;
+      }
+    };
+    expectValues(Measure::RelativeVolume, &MedialPart::relativeVolume);
+    expectValues(Measure::Area, &MedialPart::area);
+    expectValues(Measure::MeanRadius, &MedialPart::meanRadius);
+    expectValues(Measure::MaximumRadius, &MedialPart::maximumRadius);
+  });
+}
+
+TEST(Measures, AreFoundByTheirNumbers)
+{
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    EXPECT_EQ(medial::findMeasure(static_cast<int>(traits.measure)), &traits);
+  }
+  EXPECT_EQ(medial::findMeasure(-1), nullptr);
+  EXPECT_EQ(medial::findMeasure(77), nullptr);
+}
+
+TEST(Measures, DecideInTheSchedule)
+{
+  Pipeline& p = pipelines::of("box");
+  const Partition parts = partitionOf(p.axis());
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    SCOPED_TRACE(traits.name);
+    const std::vector<double> values = significance(p.axis(), traits.measure);
+    std::vector<double> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    const double threshold = sorted[sorted.size() / 2];
+    PruneOptions options;
+    options.schedule = { { traits.measure, threshold, 1 } };
+    options.removeHair = options.removeBranches = false;
+    const Pruned pruned = medial::prune(p.axis(), options);
+    EXPECT_EQ(pruned.axis.betti, p.shape.betti);
+    EXPECT_GT(pruned.history.at(0).removed, 0);
+    for (Index cell = 0; cell < medial::count(pruned.removedInIteration); ++cell)
+    {
+      if (pruned.removedInIteration[cell] != None)
+      {
+        EXPECT_LE(values[parts.partOfCell[cell]], threshold);
+      }
+    }
+    options.schedule[0].passes = 0;
+    EXPECT_EQ(medial::prune(p.axis(), options).axis.betti, p.shape.betti);
+  }
+}
+
+TEST(Measures, SumToTheWholeWhereTheyShare)
+{
+  forEachShape([](Pipeline& p) {
+    const MedialAxis& axis = p.axis();
+    double area = 0, volume = 0, sheets = 0;
+    for (const MedialPart& part : p.parts().parts)
+    {
+      area += part.area;
+      volume += part.relativeVolume;
+    }
+    for (Index cell = axis.cells.firstTriangle(); cell < axis.cells.size(); ++cell)
+    {
+      sheets += areaOf(axis, cell);
+    }
+    EXPECT_NEAR(area, sheets, 1e-9 * p.diagonal * p.diagonal);
+    EXPECT_NEAR(volume, 1, 1e-9);
+  });
+}
+
+TEST(Measures, PoleVolumeCountsEveryPoleOfThePart)
+{
+  forEachShape([](Pipeline& p) {
+    const MedialAxis& axis = p.axis();
+    std::vector<std::set<Index>> poles(p.parts().parts.size());
+    for (Index cell = 0; cell < axis.cells.size(); ++cell)
+    {
+      medial::forPoints(axis.cells, cell,
+        [&](Index point) { poles[p.parts().partOfCell[cell]].insert(axis.ballOfPoint[point]); });
+    }
+    double solid = 0;
+    for (std::size_t b = 0; b < axis.ballVolumes.size(); ++b)
+    {
+      solid += axis.ballVolumes[b];
+      EXPECT_GE(axis.poleVolumes[b], 0);
+      EXPECT_LE(axis.poleVolumes[b], axis.ballVolumes[b] * (1 + 1e-9));
+    }
+    for (std::size_t i = 0; i < poles.size(); ++i)
+    {
+      double volume = 0;
+      for (const Index ball : poles[i])
+      {
+        volume += ball == None ? 0 : axis.poleVolumes[ball];
+      }
+      EXPECT_NEAR(p.parts().parts[i].poleVolume, volume / solid, 1e-9);
+    }
+  });
+}
+
+TEST(Measures, HausdorffDistanceIsWhatABruteForceSearchFinds)
+{
+  forEachShape([](Pipeline& p) {
+    const MedialAxis& axis = p.axis();
+    std::map<Index, std::set<Index>> partsOfBall;
+    std::map<Index, Ball> balls;
+    for (Index cell = 0; cell < axis.cells.size(); ++cell)
+    {
+      medial::forPoints(axis.cells, cell, [&](Index point) {
+        if (axis.ballOfPoint[point] != None)
+        {
+          partsOfBall[axis.ballOfPoint[point]].insert(p.parts().partOfCell[cell]);
+          balls[axis.ballOfPoint[point]] = { axis.points[point], axis.radii[point] };
+        }
+      });
+    }
+    std::vector<double> expected(p.parts().parts.size(), 0);
+    for (const auto& [b, parts] : partsOfBall)
+    {
+      double least = INFINITY;
+      for (const auto& [c, others] : partsOfBall)
+      {
+        const double protrusion =
+          (balls[b].center - balls[c].center).norm() + balls[b].radius - balls[c].radius;
+        least = parts == others && parts.size() == 1 ? least : std::min(least, protrusion);
+      }
+      if (parts.size() == 1 && least < INFINITY)
+      {
+        double& value = expected[*parts.begin()];
+        value = std::max(value, least);
+      }
+    }
+    for (std::size_t i = 0; i < expected.size() && expected.size() > 1; ++i)
+    {
+      EXPECT_NEAR(p.parts().parts[i].hausdorffDistance, expected[i], 1e-12) << "part " << i;
+    }
+  });
+}
+
+TEST(Measures, HausdorffDistanceOfAFinIsItsHeight)
+{
+  // Balls of radius 1: those of the fin's rim are 3 away from the nearest of the sheet.
+  complexes::Drawing drawing;
+  drawing.sheet(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), 8, 8);
+  drawing.sheet(Point(4, 2, 0), Point(0, 1, 0), Point(0, 0, 1), 4, 3);
+  const MedialAxis axis = drawing.axis();
+  const std::vector<double> values = significance(axis, Measure::HausdorffDistance);
+  ASSERT_EQ(values.size(), 2u);
+  EXPECT_NEAR(values[1], 3, 1e-12);
+  EXPECT_NEAR(values[0], std::hypot(4, 2), 1e-12); // the sheet's corners from the fin's foot
+}
+
+TEST(Measures, HausdorffDistanceOfAllThereIsIsTheDiagonal)
+{
+  complexes::Drawing drawing;
+  drawing.sheet(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), 4, 3);
+  EXPECT_EQ(
+    significance(drawing.axis(), Measure::HausdorffDistance).front(), Point(6, 5, 2).norm());
+}
+
+TEST(Measures, OfABallThatAnotherOneCoversIsNothing)
+{
+  const medial::BallTree tree(
+    { { Point(0, 0, 0), 5 }, { Point(1, 0, 0), 1 }, { Point(9, 0, 0), 1 } }, { 0, 1, 2 });
+  EXPECT_EQ(tree.protrusion({ Point(1, 0, 0), 1 }, 1), 0);
+  EXPECT_EQ(tree.protrusion({ Point(9, 0, 0), 1 }, 2), 5);
+  EXPECT_EQ(tree.protrusion({ Point(0, 0, 0), 5 }, 0), 5);
+  EXPECT_EQ(medial::BallTree({ { Point(0, 0, 0), 5 } }, { 7 }).protrusion({ Point(0, 0, 0), 5 }, 7),
+    INFINITY);
+}
+
+TEST(Measures, ScaleWithTheAxisToTheLastBit)
+{
+  const std::map<std::string, double> exponents{ { "1", 0 }, { "degrees", 0 }, { "length", 1 },
+    { "area", 2 } };
+  Pipeline& p = pipelines::of("two-hole plate");
+  const MedialAxis scaled = pipelines::inUnits(p.axis(), 1024);
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    const double factor = std::pow(1024, exponents.at(traits.unit));
+    EXPECT_EQ(significance(scaled, traits.measure),
+      pipelines::times(significance(p.axis(), traits.measure), factor))
+      << traits.name;
+  }
+}
+
+TEST(Measures, DoNotChangeWithAMotion)
+{
+  Pipeline& p = pipelines::of("box");
+  MedialAxis axis = p.axis();
+  axis.points = shapes::moved(shapes::rotated(axis.points, 5), Point(3, -2, 1));
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    const std::vector<double> before = significance(p.axis(), traits.measure);
+    const std::vector<double> after = significance(axis, traits.measure);
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      EXPECT_NEAR(after[i], before[i], 1e-9) << traits.name;
+    }
+  }
+  const medial::Erosion burnt = medial::erosion(axis);
+  for (std::size_t i = 0; i < burnt.ofPoint.size(); ++i)
+  {
+    EXPECT_NEAR(burnt.ofPoint[i], axis.erosion[i], 1e-6);
+  }
+}
+
+TEST(Measures, DoNotChangeWithTheOrderOfTheSamples)
+{
+  // Diagonals of the faces do, and with them what is counted by triangles or points.
+  const shapes::Shape& shape = pipelines::of("box").shape;
+  const MedialAxis other = medial::medialAxis(medial::polarBalls(
+    shapes::reordered(shape.samples, shapes::shuffledOrder(shape.samples.size(), 3))));
+  for (const Measure measure :
+    { Measure::PoleVolume, Measure::MaximumRadius, Measure::Lambda, Measure::HausdorffDistance })
+  {
+    std::vector<double> before = significance(pipelines::of("box").axis(), measure);
+    std::vector<double> after = significance(other, measure);
+    std::sort(before.begin(), before.end());
+    std::sort(after.begin(), after.end());
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      EXPECT_NEAR(after[i], before[i], 1e-9) << "measure " << static_cast<int>(measure);
+    }
+  }
+}
+
+TEST(Measures, AreTheSameOnManyThreads)
+{
+  Pipeline& p = pipelines::of("box");
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    EXPECT_EQ(significance(p.axis(), traits.measure, pipelines::threaded()),
+      significance(p.axis(), traits.measure));
+  }
+}
+
+TEST(Measures, OfSeveralPartsAddUpOrAreTheLargest)
+{
+  EXPECT_EQ(medial::together(Measure::Area, 2, 3), 5);
+  EXPECT_EQ(medial::together(Measure::MaximumRadius, 2, 3), 3);
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Parts/Thresholds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using medial::RankedPart;
+using medial::suggestedThreshold;
+
+namespace
+{
+/// Parts of these significances that share a hundredth of the volume each.
+std::vector<RankedPart> parts(const std::vector<double>& significances, double volume = 0.01)
+{
+  std::vector<RankedPart> result;
+  for (const double significance : significances)
+  {
+    result.push_back({ significance, volume });
+  }
+  return result;
+}
+}
+
+TEST(Thresholds, AreInTheMiddleOfTheLargestRatio)
+{
+  EXPECT_DOUBLE_EQ(suggestedThreshold(parts({ 1, 2, 3, 48, 96 })), 12);
+}
+
+TEST(Thresholds, RemoveHalfOfThePartsOrMore)
+{
+  EXPECT_DOUBLE_EQ(suggestedThreshold(parts({ 1e-9, 2, 3, 48, 96 })), 12);
+  EXPECT_DOUBLE_EQ(suggestedThreshold(parts({ 1, 100, 200 })), std::sqrt(2.0) * 100);
+}
+
+TEST(Thresholds, RemoveAtMostTheVolumeAllowed)
+{
+  const std::vector<RankedPart> large = parts({ 1, 2, 8, 64 }, 0.04);
+  EXPECT_DOUBLE_EQ(suggestedThreshold(large), 4);
+  EXPECT_NEAR(suggestedThreshold(large, 0.13), std::sqrt(8.0 * 64), 1e-12);
+  EXPECT_EQ(suggestedThreshold(large, 0.05), 0);
+  EXPECT_EQ(suggestedThreshold(large, -1), 0);
+}
+
+TEST(Thresholds, AreZeroWhereNothingStandsOut)
+{
+  EXPECT_EQ(suggestedThreshold({}), 0);
+  EXPECT_EQ(suggestedThreshold(parts({ 7 })), 0);
+  EXPECT_EQ(suggestedThreshold(parts({ 7, 7, 7 })), 0);
+  EXPECT_EQ(suggestedThreshold(parts({ 0, 0, 7 })), 0);
+}
+
+TEST(Thresholds, FollowTheUnitToTheLastBitAndNotTheOrder)
+{
+  std::mt19937 random(5);
+  RecordProperty("seed", 5);
+  std::lognormal_distribution<double> significance(0, 2);
+  std::vector<RankedPart> some;
+  for (int i = 0; i < 100; ++i)
+  {
+    some.push_back({ significance(random), 0.001 });
+  }
+  const double threshold = suggestedThreshold(some);
+  EXPECT_GT(threshold, 0);
+  std::shuffle(some.begin(), some.end(), random);
+  EXPECT_EQ(suggestedThreshold(some), threshold);
+  for (RankedPart& part : some)
+  {
+    part.significance = std::ldexp(part.significance, 21);
+  }
+  EXPECT_EQ(suggestedThreshold(some), std::ldexp(threshold, 21));
+}
