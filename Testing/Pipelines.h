@@ -6,6 +6,7 @@
 #include "Axis/SingularPoints.h"
 #include "Balls/PolarBalls.h"
 #include "Balls/PowerShape.h"
+#include "Base/Lists.h"
 #include "Complexes.h"
 #include "Crust/PowerCrust.h"
 #include "Parts/MedialParts.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Validators.h"
 
+#include "Base/Lists.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #ifndef Validators_h
 #define Validators_h
 
+#include "Base/Lists.h"
 #include "Base/Types.h"
 
 #include <vector>

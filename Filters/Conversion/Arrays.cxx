@@ -2,6 +2,7 @@
 #include "Conversion/Arrays.h"
 
 #include "Base/Errors.h"
+#include "Base/Lists.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"

@@ -2,6 +2,7 @@
 #ifndef Arrays_h
 #define Arrays_h
 
+#include "Base/Lists.h"
 #include "Base/Types.h"
 
 #include "vtkDataArray.h"

@@ -2,6 +2,7 @@
 #include "Conversion/Parts.h"
 
 #include "Base/Errors.h"
+#include "Base/Lists.h"
 #include "Conversion/ArrayNames.h"
 #include "Conversion/Arrays.h"
 #include "Conversion/Cells.h"

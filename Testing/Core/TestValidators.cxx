@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Complexes.h"
+
+#include "Base/Lists.h"
 #include "Shapes.h"
 #include "Validators.h"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/AxisEdges.h"
 
+#include "Base/Lists.h"
+
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 
 namespace medial
 {
@@ -28,33 +29,19 @@ void forUses(const AxisCells& cells, const Body& body)
   }
 }
 
-/// The uses of the edges at each lower corner.
-struct Uses
+/// The uses of edges in lists by their lower corner, each sorted by higher corner and place, which are
+/// one number: few edges share a lower corner, so this is much faster than to sort all edges.
+Lists<std::uint64_t> usesByLowerCorner(const AxisCells& cells)
 {
-  std::vector<Index> begin;       ///< of each corner, and the end
-  std::vector<std::uint64_t> all; ///< higher corner and place as one number
-};
-
-/// By lower corner, higher corner, place. Counted by lower corner: few share one.
-Uses sortedUses(const AxisCells& cells)
-{
-  Uses result;
-  std::vector<Index>& begin = result.begin;
-  forUses(cells, [&begin](Index lower, Index, Index) {
-    begin.resize(std::max<std::size_t>(begin.size(), lower + 2), 0);
-    ++begin[lower + 1];
+  Index last = None;
+  forUses(cells, [&last](Index lower, Index, Index) { last = std::max(last, lower); });
+  Lists<std::uint64_t> uses = listsByKey<std::uint64_t>(last + 1, [&](const auto& add) {
+    forUses(cells, [&](Index lower, Index higher, Index place) {
+      add(lower, static_cast<std::uint64_t>(higher) << 32 | place);
+    });
   });
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  result.all.resize(begin.empty() ? 0 : begin.back());
-  std::vector<Index> next = begin;
-  forUses(cells, [&](Index lower, Index higher, Index place) {
-    result.all[next[lower]++] = static_cast<std::uint64_t>(higher) << 32 | place;
-  });
-  for (std::size_t p = 1; p < begin.size(); ++p)
-  {
-    std::sort(result.all.begin() + begin[p - 1], result.all.begin() + begin[p]);
-  }
-  return result;
+  uses.sortEach();
+  return uses;
 }
 }
 
@@ -64,17 +51,17 @@ AxisEdges axisEdges(const AxisCells& cells)
   result.ofTriangle.resize(cells.triangles.size());
   result.ofDangling.resize(cells.edges.size());
   const Index sides = 3 * count(cells.triangles);
-  const Uses uses = sortedUses(cells);
-  result.points.reserve(uses.all.size());
-  result.triangles.offsets.reserve(uses.all.size());
+  const Lists<std::uint64_t> uses = usesByLowerCorner(cells);
+  result.points.reserve(uses.items.size());
+  result.triangles.offsets.reserve(uses.items.size());
   result.triangles.items.reserve(sides);
-  for (Index lower = 0; lower + 1 < count(uses.begin); ++lower)
+  for (Index lower = 0; lower < uses.size(); ++lower)
   {
     Index last = None;
-    for (Index i = uses.begin[lower]; i < uses.begin[lower + 1]; ++i)
+    for (const std::uint64_t use : uses[lower])
     {
-      const auto higher = static_cast<Index>(uses.all[i] >> 32);
-      const auto place = static_cast<Index>(uses.all[i] & 0xffffffff);
+      const auto higher = static_cast<Index>(use >> 32);
+      const auto place = static_cast<Index>(use & 0xffffffff);
       if (higher != last)
       {
         result.points.push_back({ lower, higher });

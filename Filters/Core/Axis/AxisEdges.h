@@ -3,6 +3,7 @@
 #define medial_AxisEdges_h
 
 #include "Axis/MedialAxis.h"
+#include "Base/Lists.h"
 #include "Base/Types.h"
 
 #include <vector>

@@ -4,6 +4,7 @@
 #include "Axis/AxisEdges.h"
 #include "Base/BallTree.h"
 #include "Base/DisjointSets.h"
+#include "Base/Lists.h"
 
 #include <Eigen/Geometry>
 

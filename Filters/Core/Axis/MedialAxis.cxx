@@ -9,11 +9,11 @@
 #include "Axis/SiteTriangulation.h"
 #include "Balls/PowerShape.h"
 #include "Base/Frame.h"
+#include "Base/Lists.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 
@@ -23,11 +23,6 @@ namespace
 {
 /// How deep candidates must be, in the order tried: the first that gives the right topology counts.
 constexpr double kappas[] = { 0.2, 0.1, 0.05, 0, 0.3, 0.5, 0.8 };
-
-Index defect(const Betti& a, const Betti& b)
-{
-  return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
-}
 
 /// The axis from the singular points whose Betti numbers are the shape's, or come nearest.
 MedialAxis axisFromSites(
@@ -50,7 +45,7 @@ MedialAxis axisFromSites(
     MedialAxis axis = dualComplex(polarBalls, points, sites, set, frame);
     axis.kappa = kappa;
     axis.betti = bettiNumbers(axis.cells);
-    if (!best || defect(axis.betti, shape.betti) < defect(best->betti, shape.betti))
+    if (!best || bettiDistance(axis.betti, shape.betti) < bettiDistance(best->betti, shape.betti))
     {
       best = std::move(axis);
     }
@@ -74,8 +69,7 @@ std::vector<std::vector<Index>> neighbors(
     {
       result[i].insert(result[i].end(), ballsOfSample[s].begin(), ballsOfSample[s].end());
     }
-    std::sort(result[i].begin(), result[i].end());
-    result[i].erase(std::unique(result[i].begin(), result[i].end()), result[i].end());
+    sortUnique(result[i]);
   }
   return result;
 }

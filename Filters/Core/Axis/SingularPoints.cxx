@@ -3,6 +3,7 @@
 
 #include "Balls/PowerLocator.h"
 #include "Base/Frame.h"
+#include "Base/Lists.h"
 #include "Base/Predicates.h"
 
 #include <Eigen/Geometry>

@@ -5,6 +5,7 @@
 #include "Balls/PolarBalls.h"
 #include "Balls/PowerShape.h"
 #include "Base/Execution.h"
+#include "Base/Lists.h"
 #include "Base/Types.h"
 
 #include <vector>

@@ -2,6 +2,7 @@
 #include "Axis/SiteTriangulation.h"
 
 #include "Balls/PowerLocator.h"
+#include "Base/Lists.h"
 #include "Base/Predicates.h"
 #include "Base/Triangulations.h"
 
@@ -14,23 +15,6 @@ namespace medial
 {
 namespace
 {
-/// The lowest ball that is in the lists of all four corners, or None.
-Index commonBall(const IndexLists& balls, const Tetrahedron& corners)
-{
-  for (const Index ball : balls[corners[0]])
-  {
-    const auto passesThrough = [&](Index corner) {
-      const IndexLists::View list = balls[corner];
-      return std::binary_search(list.begin(), list.end(), ball);
-    };
-    if (passesThrough(corners[1]) && passesThrough(corners[2]) && passesThrough(corners[3]))
-    {
-      return ball;
-    }
-  }
-  return None;
-}
-
 /// What decides about a cell that is on no ball.
 struct Classifier
 {
@@ -137,7 +121,7 @@ SiteTriangulation siteTriangulation(const PolarBalls& polarBalls, const PowerSha
   result.depth.assign(cellCount, -1);
   execution.forEach(cellCount, [&](Index c) {
     const Tetrahedron& v = result.mesh.cells[c];
-    const Index ball = commonBall(sites.balls, v);
+    const Index ball = lowestCommonItem(sites.balls, v);
     result.onBall[c] = ball;
     if (ball != None)
     {

@@ -2,6 +2,7 @@
 #include "Axis/Trimming.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Lists.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +57,7 @@ public:
     std::vector<Index> uses = this->danglingSides(); // and pieces, at each vertex
     for (std::vector<Index>& own : vertices)
     {
-      std::sort(own.begin(), own.end());
-      own.erase(std::unique(own.begin(), own.end()), own.end());
+      sortUnique(own);
       std::for_each(own.begin(), own.end(), [&uses](Index v) { ++uses[v]; });
     }
     for (std::size_t piece = 0; piece < faces.size(); ++piece)

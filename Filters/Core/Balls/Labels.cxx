@@ -2,6 +2,7 @@
 #include "Balls/Labels.h"
 
 #include "Base/Frame.h"
+#include "Base/Lists.h"
 #include "Base/Tetrahedra.h"
 
 #include <algorithm>
@@ -20,11 +21,7 @@ struct Link
   bool same;
 };
 
-struct Links
-{
-  std::vector<Index> offsets;
-  std::vector<Link> items;
-};
+using Links = Lists<Link>;
 
 struct Pair
 {
@@ -63,25 +60,13 @@ std::vector<Pair> pairs(const LabelInput& input)
 
 Links links(const std::vector<Pair>& pairs, Index ballCount)
 {
-  Links result;
-  result.offsets.assign(ballCount + 1, 0);
-  for (const Pair& pair : pairs)
-  {
-    ++result.offsets[pair.a + 1];
-    ++result.offsets[pair.b + 1];
-  }
-  for (Index b = 0; b < ballCount; ++b)
-  {
-    result.offsets[b + 1] += result.offsets[b];
-  }
-  result.items.resize(result.offsets.back());
-  std::vector<Index> next(result.offsets.begin(), result.offsets.end() - 1);
-  for (const Pair& pair : pairs)
-  {
-    result.items[next[pair.a]++] = { pair.b, pair.strength, pair.same };
-    result.items[next[pair.b]++] = { pair.a, pair.strength, pair.same };
-  }
-  return result;
+  return listsByKey<Link>(ballCount, [&pairs](const auto& add) {
+    for (const Pair& pair : pairs)
+    {
+      add(pair.a, Link{ pair.b, pair.strength, pair.same });
+      add(pair.b, Link{ pair.a, pair.strength, pair.same });
+    }
+  });
 }
 
 /// Belief of each ball in either side, and how decided it is.
@@ -121,9 +106,8 @@ void spread(const Links& links, Beliefs& beliefs, std::vector<Side>& sides)
     const int side = beliefs.of[b][1] > beliefs.of[b][0] ? 1 : 0;
     sides[b] = static_cast<Side>(side);
     const float certainty = beliefs.of[b][side];
-    for (Index i = links.offsets[b]; i < links.offsets[b + 1]; ++i)
+    for (const Link& link : links[b])
     {
-      const Link& link = links.items[i];
       float& belief = beliefs.of[link.ball][link.same ? side : 1 - side];
       if (!done[link.ball] && certainty * link.strength > belief)
       {

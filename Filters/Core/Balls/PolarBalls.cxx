@@ -4,6 +4,7 @@
 #include "Balls/Labels.h"
 #include "Base/DisjointSets.h"
 #include "Base/Frame.h"
+#include "Base/Lists.h"
 #include "Base/Predicates.h"
 #include "Base/Triangulations.h"
 
@@ -270,10 +271,8 @@ void collectSamples(const Spheres& spheres, const std::vector<Index>& ballOfCell
   }
   for (std::vector<Index>& list : samples)
   {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    result.ballSamples.items.insert(result.ballSamples.items.end(), list.begin(), list.end());
-    result.ballSamples.close();
+    sortUnique(list);
+    result.ballSamples.append(list);
   }
 }
 

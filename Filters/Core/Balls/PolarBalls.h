@@ -3,6 +3,7 @@
 #define medial_PolarBalls_h
 
 #include "Base/Execution.h"
+#include "Base/Lists.h"
 #include "Base/Types.h"
 
 #include <vector>

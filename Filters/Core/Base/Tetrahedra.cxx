@@ -2,6 +2,7 @@
 #include "Base/Tetrahedra.h"
 
 #include "Base/Errors.h"
+#include "Base/Lists.h"
 
 #include <algorithm>
 #include <tuple>
@@ -22,46 +23,24 @@ struct Place
   }
 };
 
-/// All simplices grouped by their lowest corner; each group is sorted, so equal ones are neighbours.
-struct Groups
-{
-  std::vector<Index> offsets;
-  std::vector<Place> places;
-};
-
+/// All simplices, in lists by their lowest corner. Each list is sorted, so that equal simplices follow
+/// each other.
 /// @param simplex  simplex(cell, k): lowest corner and Place of simplex k of `perCell` of a cell
 template <typename Simplex>
-Groups grouped(Index cellCount, int perCell, Index pointCount, const Simplex& simplex)
+Lists<Place> byLowestCorner(Index cellCount, int perCell, Index pointCount, const Simplex& simplex)
 {
-  Groups groups;
-  groups.offsets.assign(pointCount + 1, 0);
-  for (Index c = 0; c < cellCount; ++c)
-  {
-    for (int k = 0; k < perCell; ++k)
+  Lists<Place> places = listsByKey<Place>(pointCount, [&](const auto& add) {
+    for (Index c = 0; c < cellCount; ++c)
     {
-      ++groups.offsets[simplex(c, k).first + 1];
+      for (int k = 0; k < perCell; ++k)
+      {
+        const std::pair<Index, Place> entry = simplex(c, k);
+        add(entry.first, entry.second);
+      }
     }
-  }
-  for (Index p = 0; p < pointCount; ++p)
-  {
-    groups.offsets[p + 1] += groups.offsets[p];
-  }
-  groups.places.resize(groups.offsets.back());
-  std::vector<Index> next(groups.offsets.begin(), groups.offsets.end() - 1);
-  for (Index c = 0; c < cellCount; ++c)
-  {
-    for (int k = 0; k < perCell; ++k)
-    {
-      const std::pair<Index, Place> entry = simplex(c, k);
-      groups.places[next[entry.first]++] = entry.second;
-    }
-  }
-  for (Index p = 0; p < pointCount; ++p)
-  {
-    std::sort(
-      groups.places.begin() + groups.offsets[p], groups.places.begin() + groups.offsets[p + 1]);
-  }
-  return groups;
+  });
+  places.sortEach();
+  return places;
 }
 
 Index highestCorner(const std::vector<Tetrahedron>& cells)
@@ -82,14 +61,14 @@ Tetrahedra withNeighbors(std::vector<Tetrahedron> cells)
     std::sort(t.begin(), t.end());
     return std::make_pair(t[0], Place{ t[1], t[2], 4 * c + i });
   };
-  const Groups groups = grouped(count(cells), 4, highestCorner(cells) + 1, triangle);
+  const Lists<Place> lists = byLowestCorner(count(cells), 4, highestCorner(cells) + 1, triangle);
   Tetrahedra result;
   result.neighbors.assign(cells.size(), { None, None, None, None });
-  for (std::size_t p = 0; p + 1 < groups.offsets.size(); ++p)
+  for (Index p = 0; p < lists.size(); ++p)
   {
-    for (Index i = groups.offsets[p]; i + 1 < groups.offsets[p + 1]; ++i)
+    for (Index i = 0; i + 1 < lists[p].size(); ++i)
     {
-      const Place &a = groups.places[i], &b = groups.places[i + 1];
+      const Place &a = lists[p][i], &b = lists[p][i + 1];
       if (a.second != b.second || a.third != b.third)
       {
         continue;
@@ -113,17 +92,18 @@ EdgeNumbers edgeNumbers(const std::vector<Tetrahedron>& cells, Index pointCount)
     const Index a = cells[c][cellEdges[k][0]], b = cells[c][cellEdges[k][1]];
     return std::make_pair(std::min(a, b), Place{ std::max(a, b), 0, 6 * c + k });
   };
-  const Groups groups = grouped(count(cells), 6, pointCount, edge);
+  const Lists<Place> lists = byLowestCorner(count(cells), 6, pointCount, edge);
   EdgeNumbers result;
   result.ofCell.resize(cells.size());
   for (Index p = 0; p < pointCount; ++p)
   {
-    for (Index i = groups.offsets[p]; i < groups.offsets[p + 1]; ++i)
+    Index last = None;
+    for (const Place& place : lists[p])
     {
-      const Place& place = groups.places[i];
-      if (i == groups.offsets[p] || place.second != groups.places[i - 1].second)
+      if (place.second != last)
       {
         result.edges.push_back({ p, place.second });
+        last = place.second;
       }
       result.ofCell[place.where / 6][place.where % 6] = count(result.edges) - 1;
     }

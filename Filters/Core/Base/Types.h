@@ -6,7 +6,7 @@
 
 #include <array>
 #include <cstdint>
-#include <numeric>
+#include <cstdlib>
 #include <vector>
 
 /// The medial axis of a solid given by points of its boundary, its parts, their pruning, and the
@@ -46,56 +46,21 @@ enum class Side : signed char
 /// Betti numbers over Z/2: connected pieces, tunnels, enclosed voids.
 using Betti = std::array<Index, 3>;
 
+/// By how much two solids' Betti numbers differ: the sum of the three differences.
+inline Index bettiDistance(const Betti& a, const Betti& b)
+{
+  return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
+}
+
 using Edge = std::array<Index, 2>;
 using Triangle = std::array<Index, 3>;
 using Tetrahedron = std::array<Index, 4>;
-
-/// A list of lists of indices, flat: list i is items[offsets[i]] ... items[offsets[i + 1] - 1].
-struct IndexLists
-{
-  std::vector<Index> offsets{ 0 };
-  std::vector<Index> items;
-
-  /// One list, to be walked in a range-for.
-  struct View
-  {
-    const Index* first;
-    const Index* last;
-    const Index* begin() const { return first; }
-    const Index* end() const { return last; }
-    Index size() const { return static_cast<Index>(last - first); }
-    Index operator[](Index i) const { return first[i]; }
-  };
-
-  Index size() const { return static_cast<Index>(offsets.size()) - 1; }
-  View operator[](Index i) const
-  {
-    return { items.data() + offsets[i], items.data() + offsets[i + 1] };
-  }
-  /// Ends the list that was being appended to `items`.
-  void close() { offsets.push_back(static_cast<Index>(items.size())); }
-};
 
 /// Number of elements of a container, as an Index.
 template <typename Container>
 Index count(const Container& container)
 {
   return static_cast<Index>(container.size());
-}
-
-/// List k holds the values that come with the key k, in their order.
-/// @param forAll  calls its argument(key, value) for all of them, the same each time
-template <typename ForAll>
-IndexLists listsByKey(Index keyCount, const ForAll& forAll)
-{
-  IndexLists result;
-  result.offsets.assign(keyCount + 1, 0);
-  forAll([&result](Index key, Index) { ++result.offsets[key + 1]; });
-  std::partial_sum(result.offsets.begin(), result.offsets.end(), result.offsets.begin());
-  result.items.resize(result.offsets.back());
-  std::vector<Index> next = result.offsets;
-  forAll([&](Index key, Index value) { result.items[next[key]++] = value; });
-  return result;
 }
 }
 

@@ -4,6 +4,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "Base/Frame.h"
+#include "Base/Lists.h"
 #include "Base/Polygons.h"
 #include "Base/Predicates.h"
 
@@ -19,23 +20,6 @@ bool isMixed(const PowerDiagram& diagram, const Tetrahedron& cell)
   const int inner = diagram.inner[cell[0]] + diagram.inner[cell[1]] + diagram.inner[cell[2]] +
     diagram.inner[cell[3]];
   return inner > 0 && inner < 4;
-}
-
-/// The lowest sample on all four balls, or None.
-Index sharedSample(const IndexLists& samples, const Tetrahedron& cell)
-{
-  for (const Index s : samples[cell[0]])
-  {
-    const auto isOn = [&](Index ball) {
-      const IndexLists::View list = samples[ball];
-      return std::binary_search(list.begin(), list.end(), s);
-    };
-    if (isOn(cell[1]) && isOn(cell[2]) && isOn(cell[3]))
-    {
-      return s;
-    }
-  }
-  return None;
 }
 
 /// The faces of the crust as cycles of cells of the dual, each a power vertex.
@@ -290,7 +274,7 @@ void findVertices(Tetrahedra dual, PowerDiagram& diagram, const Execution& execu
     {
       return;
     }
-    const Index sample = sharedSample(diagram.samples, cell);
+    const Index sample = lowestCommonItem(diagram.samples, cell);
     diagram.sampleOfVertex[c] = sample;
     diagram.vertices[c] = sample != None
       ? diagram.positions[sample]

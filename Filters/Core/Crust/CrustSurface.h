@@ -3,6 +3,7 @@
 #define medial_CrustSurface_h
 
 #include "Base/Execution.h"
+#include "Base/Lists.h"
 #include "Base/Tetrahedra.h"
 #include "Base/Types.h"
 #include "Crust/PowerCrust.h"

@@ -4,6 +4,7 @@
 #include "Balls/PowerShape.h"
 #include "Base/DisjointSets.h"
 #include "Base/Frame.h"
+#include "Base/Lists.h"
 #include "Base/Triangulations.h"
 #include "Crust/CrustSurface.h"
 
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <unordered_map>
@@ -261,7 +261,7 @@ public:
     , limit(clearance)
     , execution(how)
     , wanted(topology)
-    , defect(this->defectOf(markedBetti(power.dual, power.inner)))
+    , defect(bettiDistance(markedBetti(power.dual, power.inner), topology))
   {
   }
 
@@ -297,12 +297,6 @@ private:
     }
   }
 
-  Index defectOf(const Betti& betti) const
-  {
-    return std::abs(betti[0] - this->wanted[0]) + std::abs(betti[1] - this->wanted[1]) +
-      std::abs(betti[2] - this->wanted[2]);
-  }
-
   /// Inserts all the balls; where that brings the topology farther from the one wanted, as many as
   /// it can by halves.
   void insert(const std::vector<Ball>& balls)
@@ -315,7 +309,7 @@ private:
     trial.insert(balls, this->execution);
     std::vector<char> inner = this->diagram.inner;
     inner.resize(inner.size() + balls.size(), 0);
-    const Index trialDefect = this->defectOf(markedBetti(trial.tetrahedra(), inner));
+    const Index trialDefect = bettiDistance(markedBetti(trial.tetrahedra(), inner), this->wanted);
     if (trialDefect <= this->defect)
     {
       this->defect = trialDefect;

@@ -4,6 +4,7 @@
 
 #include "Balls/PolarBalls.h"
 #include "Base/Execution.h"
+#include "Base/Lists.h"
 #include "Base/Types.h"
 
 #include <optional>

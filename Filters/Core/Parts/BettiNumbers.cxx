@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/MedialAxis.h"
+#include "Base/Lists.h"
 
 #include "Axis/AxisEdges.h"
 #include "Base/DisjointSets.h"

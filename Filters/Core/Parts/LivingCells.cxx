@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Parts/LivingCells.h"
 
+#include "Base/Lists.h"
+
 #include <algorithm>
 #include <utility>
 

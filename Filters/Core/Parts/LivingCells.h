@@ -5,6 +5,7 @@
 #include "Axis/AxisEdges.h"
 #include "Axis/MedialAxis.h"
 #include "Base/DisjointSets.h"
+#include "Base/Lists.h"
 #include "Base/Types.h"
 
 #include <memory>

@@ -2,6 +2,7 @@
 #include "Parts/Measures.h"
 
 #include "Base/BallTree.h"
+#include "Base/Lists.h"
 #include "Parts/MedialParts.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "Parts/MedialParts.h"
 
 #include "Axis/AxisEdges.h"
+#include "Base/Lists.h"
 #include "Parts/Partition.h"
 #include "Parts/Thresholds.h"
 #include "Parts/TopologyGraph.h"
@@ -72,8 +73,7 @@ std::vector<Index> ascending(std::vector<Index> points, Index pointCount)
 {
   if (count(points) < pointCount)
   {
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    sortUnique(points);
     return points;
   }
   std::vector<char> isThere(pointCount, 0);
@@ -186,8 +186,7 @@ void addContacts(MedialParts& result)
       }
     }
   }
-  std::sort(touching.begin(), touching.end());
-  touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+  sortUnique(touching);
   for (const Edge& pair : touching)
   {
     result.parts[pair[0]].neighbors += pair[0] != pair[1];
@@ -227,8 +226,7 @@ ContactEdges contactEdges(const LivingCells& living, const Partition& partition)
         parts.push_back(part);
       }
     }
-    std::sort(parts.begin(), parts.end());
-    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    sortUnique(parts);
     result.edges.push_back(e);
     for (const Index p : edges.points[e])
     {
@@ -301,8 +299,7 @@ std::vector<ContactCurve> contactPoints(
       const std::vector<Index>& along = contacts.parts.at(at->second[i]);
       joined.insert(joined.end(), along.begin(), along.end());
     }
-    std::sort(joined.begin(), joined.end());
-    joined.erase(std::unique(joined.begin(), joined.end()), joined.end());
+    sortUnique(joined);
     if (joined != parts)
     {
       result.push_back({ { p }, parts });

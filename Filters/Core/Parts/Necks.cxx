@@ -2,6 +2,7 @@
 #include "Parts/Necks.h"
 
 #include "Base/BallTree.h"
+#include "Base/Lists.h"
 
 #include <algorithm>
 #include <map>

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Parts/Partition.h"
 
+#include "Base/Lists.h"
+
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <numeric>
 
 namespace medial
 {
 namespace
 {
-/// Numbers the parts, and counts their cells.
+/// Gives each living cell the number of its part.
 void numberParts(LivingCells& living, Partition& result)
 {
   const AxisCells& cells = living.cells;
   std::vector<Index>& partOfCell = result.partOfCell;
-  std::vector<Index>& begin = result.cells.offsets;
   partOfCell.assign(cells.size(), None);
   const auto number = [&](Index from, Index to, int dimension) {
     for (Index c = from; c < to; ++c)
@@ -29,30 +29,27 @@ void numberParts(LivingCells& living, Partition& result)
       {
         partOfCell[c] = count(result.dimension);
         result.dimension.push_back(dimension);
-        begin.push_back(0);
       }
       partOfCell[c] = partOfCell[first];
-      ++begin[partOfCell[c] + 1];
     }
   };
   number(cells.firstTriangle(), cells.size(), 2);
   number(cells.firstEdge(), cells.firstTriangle(), 1);
   number(0, cells.firstEdge(), 0);
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
 }
 
-/// Sorts the living cells by their part; the order within a part stays.
+/// The living cells by their part, ascending.
 void sortCells(Partition& result)
 {
-  result.cells.items.resize(result.cells.offsets.back());
-  std::vector<Index> next = result.cells.offsets;
-  for (Index c = 0; c < count(result.partOfCell); ++c)
-  {
-    if (result.partOfCell[c] != None)
+  result.cells = listsByKey(count(result.dimension), [&result](const auto& add) {
+    for (Index c = 0; c < count(result.partOfCell); ++c)
     {
-      result.cells.items[next[result.partOfCell[c]]++] = c;
+      if (result.partOfCell[c] != None)
+      {
+        add(result.partOfCell[c], c);
+      }
     }
-  }
+  });
 }
 
 /// Parts with an edge of one triangle, or a chain's free end; and vertices.

@@ -4,6 +4,7 @@
 
 #include "Axis/MedialAxis.h"
 #include "Base/Execution.h"
+#include "Base/Lists.h"
 #include "Base/Types.h"
 #include "Parts/LivingCells.h"
 

@@ -2,6 +2,7 @@
 #include "Parts/TopologyGraph.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Lists.h"
 
 #include <algorithm>
 #include <array>
@@ -53,8 +54,7 @@ Index numberNodes(const std::vector<ContactCurve>& contacts, const std::vector<c
 /// The second of each pair, listed by the first.
 IndexLists listed(std::vector<Pair> pairs, Index size)
 {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sortUnique(pairs);
   IndexLists result;
   std::size_t i = 0;
   for (Index list = 0; list < size; ++list)

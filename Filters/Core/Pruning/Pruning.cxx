@@ -2,6 +2,7 @@
 #include "Pruning/Pruning.h"
 
 #include "Axis/AxisEdges.h"
+#include "Base/Lists.h"
 #include "Parts/LivingCells.h"
 #include "Parts/Partition.h"
 #include "Parts/Thresholds.h"

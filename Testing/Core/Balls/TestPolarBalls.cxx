@@ -2,6 +2,7 @@
 #include "Pipelines.h"
 
 #include "Balls/PolarBalls.h"
+#include "Base/Lists.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

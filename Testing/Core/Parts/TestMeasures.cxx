@@ -4,6 +4,7 @@
 #include "Axis/AxisEdges.h"
 #include "Axis/Erosion.h"
 #include "Base/BallTree.h"
+#include "Base/Lists.h"
 #include "Parts/Measures.h"
 
 #include <Eigen/Geometry>

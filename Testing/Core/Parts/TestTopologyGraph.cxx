@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipelines.h"
 
+#include "Base/Lists.h"
 #include "Parts/TopologyGraph.h"
 
 #include <algorithm>
