@@ -68,7 +68,7 @@ struct Word
 constexpr Word words[] = {
   { 't', vtkMedialPrune::TRIANGLE_COUNT, Word::Count },
   { 'v', vtkMedialPrune::RELATIVE_VOLUME, Word::Percent },
-  { 'p', vtkMedialPrune::POLE_VOLUME, Word::Percent },
+  { 'p', vtkMedialPrune::RELATIVE_POLE_VOLUME, Word::Percent },
   { 'a', vtkMedialPrune::AREA, Word::Number },
   { 'm', vtkMedialPrune::MEAN_RADIUS, Word::Length },
   { 'r', vtkMedialPrune::MAXIMUM_RADIUS, Word::Length },

@@ -42,7 +42,8 @@ int vtkMedialPartDecomposition::RequestData(
       const medial::MedialParts parts = medial::decompose(
         axis, this->MaximumLevel, execution, this->SplitAtNecks ? this->NeckRatio : 0);
       medial::write(parts, input, output, table, contacts);
-      medial::write(medial::topologyGraph(axis, parts), parts, graph);
+      const medial::Index partCount = medial::count(parts.parts);
+      medial::write(medial::topologyGraph(parts.contacts, partCount, axis.points), parts, graph);
     });
 }
 

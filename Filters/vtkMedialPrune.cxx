@@ -16,27 +16,18 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
-static_assert(vtkMedialPrune::TRIANGLE_COUNT == static_cast<int>(medial::Measure::TriangleCount) &&
-    vtkMedialPrune::RELATIVE_VOLUME == static_cast<int>(medial::Measure::RelativeVolume) &&
-    vtkMedialPrune::POLE_VOLUME == static_cast<int>(medial::Measure::PoleVolume) &&
-    vtkMedialPrune::AREA == static_cast<int>(medial::Measure::Area) &&
-    vtkMedialPrune::MEAN_RADIUS == static_cast<int>(medial::Measure::MeanRadius) &&
-    vtkMedialPrune::MAXIMUM_RADIUS == static_cast<int>(medial::Measure::MaximumRadius) &&
-    vtkMedialPrune::OBJECT_ANGLE == static_cast<int>(medial::Measure::ObjectAngle) &&
-    vtkMedialPrune::LAMBDA == static_cast<int>(medial::Measure::Lambda) &&
-    vtkMedialPrune::EROSION_THICKNESS == static_cast<int>(medial::Measure::ErosionThickness) &&
-    vtkMedialPrune::HAUSDORFF_DISTANCE == static_cast<int>(medial::Measure::HausdorffDistance) &&
-    vtkMedialPrune::COLLAPSE == static_cast<int>(medial::Topology::Collapse) &&
+static_assert(vtkMedialPrune::COLLAPSE == static_cast<int>(medial::Topology::Collapse) &&
     vtkMedialPrune::NONE == static_cast<int>(medial::Topology::None) &&
     vtkMedialPrune::PAPER_GRAPH == static_cast<int>(medial::Topology::PaperGraph),
-  "measures and the property Topology are cast to the core's enums");
+  "the property Topology is cast to the core's enum");
 
 struct vtkMedialPrune::vtkLists
 {
   std::vector<medial::PruneIteration> Schedule;
-  std::string Unknown; ///< a measure of the schedule that there isn't, in words; empty: none
+  std::string Fault; ///< what is wrong with the schedule; empty: nothing
   std::vector<vtkIdType> PartsToRemove;
   std::vector<vtkIdType> CellsToRemove;
   std::vector<vtkIdType> PartsToProtect;
@@ -45,7 +36,7 @@ struct vtkMedialPrune::vtkLists
   medial::PruneIteration Iteration(int number) const
   {
     const bool exists = number >= 0 && number < static_cast<int>(this->Schedule.size());
-    return exists ? this->Schedule[number] : medial::PruneIteration{ {}, 0, 0 };
+    return exists ? this->Schedule[number] : medial::PruneIteration{ {}, 0, 0, false };
   }
 };
 
@@ -78,9 +69,7 @@ vtkMedialPrune::vtkMedialPrune()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
-  this->AddIteration(TRIANGLE_COUNT, 5);
-  this->AddIteration(TRIANGLE_COUNT, 5);
-  this->AddIteration(RELATIVE_VOLUME, 0.01);
+  this->SetSchedule("t5 t5 v1%");
 }
 
 vtkMedialPrune::~vtkMedialPrune() = default;
@@ -88,19 +77,43 @@ vtkMedialPrune::~vtkMedialPrune() = default;
 void vtkMedialPrune::ClearIterations()
 {
   this->Lists->Schedule.clear();
-  this->Lists->Unknown.clear();
+  this->Lists->Fault.clear();
   this->Modified();
+}
+
+void vtkMedialPrune::SetSchedule(const char* words)
+{
+  try
+  {
+    std::vector<medial::PruneIteration> schedule = medial::parseSchedule(words ? words : "");
+    if (this->Lists->Fault.empty() && schedule == this->Lists->Schedule)
+    {
+      return;
+    }
+    this->Lists->Schedule = std::move(schedule);
+    this->Lists->Fault.clear();
+    this->Modified();
+  }
+  catch (const medial::InvalidInput& error)
+  {
+    this->RefuseSchedule(error.what());
+  }
+}
+
+std::string vtkMedialPrune::GetScheduleWords() const
+{
+  return medial::scheduleWords(this->Lists->Schedule);
 }
 
 void vtkMedialPrune::AddIteration(int measure, double threshold, int passes)
 {
-  if (!GetMeasureName(measure))
+  const medial::MeasureTraits* traits = medial::findMeasure(measure);
+  if (!traits)
   {
-    this->RefuseMeasure(std::to_string(measure));
+    this->RefuseSchedule(medial::noMeasure(std::to_string(measure)));
     return;
   }
-  this->Lists->Schedule.push_back(
-    { static_cast<medial::Measure>(measure), threshold, std::max(0, passes) });
+  this->Lists->Schedule.push_back({ traits->measure, threshold, std::max(0, passes), false });
   this->Modified();
 }
 
@@ -110,17 +123,16 @@ void vtkMedialPrune::AddIterationByName(const char* measure, double threshold, i
   const medial::MeasureTraits* traits = medial::findMeasure(name);
   if (!traits)
   {
-    this->RefuseMeasure("'" + name + "'");
+    this->RefuseSchedule(medial::noMeasure("'" + name + "'"));
     return;
   }
   this->AddIteration(static_cast<int>(traits->measure), threshold, passes);
 }
 
-void vtkMedialPrune::RefuseMeasure(const std::string& measure)
+void vtkMedialPrune::RefuseSchedule(const std::string& fault)
 {
-  this->Lists->Unknown =
-    "there is no measure " + measure + " for the schedule; use one of " + medial::measureNames();
-  vtkErrorMacro(<< this->Lists->Unknown);
+  this->Lists->Fault = fault;
+  vtkErrorMacro(<< fault);
   this->Modified();
 }
 
@@ -128,6 +140,30 @@ const char* vtkMedialPrune::GetMeasureName(int measure)
 {
   const medial::MeasureTraits* traits = medial::findMeasure(measure);
   return traits ? traits->name : nullptr;
+}
+
+const char* vtkMedialPrune::GetMeasureArray(int measure)
+{
+  const medial::MeasureTraits* traits = medial::findMeasure(measure);
+  return traits ? traits->cellArray : nullptr;
+}
+
+const char* vtkMedialPrune::GetMeasureDescription(int measure)
+{
+  const medial::MeasureTraits* traits = medial::findMeasure(measure);
+  return traits ? traits->description : nullptr;
+}
+
+const char* vtkMedialPrune::GetMeasureUnit(int measure)
+{
+  const medial::MeasureTraits* traits = medial::findMeasure(measure);
+  return traits ? medial::unitName(traits->unit) : nullptr;
+}
+
+std::string vtkMedialPrune::GetMeasureWord(int measure)
+{
+  const medial::MeasureTraits* traits = medial::findMeasure(measure);
+  return traits ? medial::wordPattern(*traits) : std::string();
 }
 
 int vtkMedialPrune::GetNumberOfIterations() const
@@ -248,9 +284,9 @@ int vtkMedialPrune::RequestData(
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       vtkLists lists = *this->Lists;
-      if (!this->Automatic && !lists.Unknown.empty())
+      if (!this->Automatic && !lists.Fault.empty())
       {
-        throw medial::InvalidInput(lists.Unknown);
+        throw medial::InvalidInput(lists.Fault);
       }
       std::vector<vtkIdType>& cells =
         this->SelectionRole == REMOVE ? lists.CellsToRemove : lists.CellsToProtect;
@@ -274,8 +310,7 @@ int vtkMedialPrune::RequestData(
 void vtkMedialPrune::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Schedule: " << this->GetNumberOfIterations() << " iterations\n";
-  medial::print(os, indent.GetNextIndent(), this->Lists->Schedule);
+  os << indent << "Schedule: " << this->GetScheduleWords() << "\n";
   const char* const topologies[] = { "COLLAPSE", "NONE", "PAPER_GRAPH" };
   os << indent << "Topology: " << topologies[this->Topology] << "\n";
   os << indent << "SplitAtNecks: " << (this->SplitAtNecks ? "on" : "off") << "\n";

@@ -25,7 +25,7 @@
  *    component of the axis; 4 protected.
  *
  * Output 1: vtkTable, one row for each iteration, and one more where something was removed by hand:
- * `Iteration` (vtkIdType, from 0), `ByHand` (unsigned char), `Measure` (int; a
+ * `Iteration` (vtkIdType, from 0), `Word` (string, its word in a schedule), `ByHand` (unsigned char), `Measure` (int; a
  * MeasureType), `Threshold` (double), `Passes` (int; made), `PartsBefore`, `PartsAfter`,
  * `Candidates` (parts of level 1 with at most the threshold; by hand: parts named), `Removed` (parts),
  * `Refused` (candidates that stayed in the last pass; the sum of `RefusedByTopology`,
@@ -71,39 +71,62 @@ public:
   vtkTypeMacro(vtkMedialPrune, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * What makes a part significant, with the unit of its thresholds; see GetMeasureUnit and
+   * GetMeasureDescription, and Core/Parts/Measures.h for the formulas.
+   */
   enum MeasureType
   {
-    TRIANGLE_COUNT = 0,
-    RELATIVE_VOLUME = 1,
-    POLE_VOLUME = 2,
-    AREA = 3,
-    MEAN_RADIUS = 4,
-    MAXIMUM_RADIUS = 5,
-    OBJECT_ANGLE = 6,
-    LAMBDA = 7,
-    EROSION_THICKNESS = 8,
-    HAUSDORFF_DISTANCE = 9
+    TRIANGLE_COUNT = 0,       ///< triangles, lines or vertices
+    RELATIVE_VOLUME = 1,      ///< share of the solid's volume, 0 ... 1
+    RELATIVE_POLE_VOLUME = 2, ///< the same of its poles alone, the paper's literal definition
+    AREA = 3,                 ///< of its triangles; square of the samples' unit
+    MEAN_RADIUS = 4,          ///< of the maximal balls at its points; length
+    MAXIMUM_RADIUS = 5,       ///< of the maximal balls at its points; length
+    OBJECT_ANGLE = 6,         ///< mean angle at which a cell sees its two sites; 0 ... 180 degrees
+    LAMBDA = 7,               ///< largest distance of two sites of a cell; length
+    EROSION_THICKNESS = 8,    ///< burn time minus radius; length
+    HAUSDORFF_DISTANCE = 9    ///< how far the solid recedes, at most; length
   };
 
   ///@{
   /**
-   * The schedule. An iteration removes parts whose measure is at most the threshold, and repeats that
-   * `passes` times, or until nothing changes where passes is 0. Thresholds are numbers of triangles
-   * (TRIANGLE_COUNT), shares of the solid's volume (RELATIVE_VOLUME, POLE_VOLUME), degrees
-   * (OBJECT_ANGLE), square units of the samples (AREA), or lengths in their unit (the others).
-   * Default: twice TRIANGLE_COUNT up to 5, then RELATIVE_VOLUME up to 0.01 (t5 t5 v1%), passes 0.
-   * Clear it before adding your own iterations.
+   * The schedule in words, one for each iteration: a letter for the measure and the threshold, such as
+   * "t5 t5 v1%", the default: twice parts of at most 5 triangles, then parts of at most one per cent
+   * of the volume. GetMeasureWord tells the word of each measure. Volumes are in per cent, lengths in
+   * the unit of the samples or in per cent of the diagonal of their bounding box (r0.5, r2%). x and a
+   * number at the end of a word limit its passes: t5x1. No words: no iterations.
+   * A word that can't be read is an error, here and whenever the filter runs by this schedule.
+   * GetScheduleWords returns words that give the same schedule again.
+   */
+  void SetSchedule(const char* words);
+  std::string GetScheduleWords() const;
+  ///@}
+
+  ///@{
+  /**
+   * The same one iteration after another. An iteration removes parts whose measure is at most the
+   * threshold, and repeats that `passes` times, or until nothing changes where passes is 0. Thresholds
+   * are in the unit of the measure, shares of the volume 0 ... 1. Clear the default schedule before
+   * adding your own iterations.
    */
   void ClearIterations();
   void AddIteration(int measure, double threshold, int passes = 0);
   int GetNumberOfIterations() const;
   ///@}
 
+  ///@{
   /**
-   * The name of a MeasureType: the column of the table of parts (there `Triangles` for TRIANGLE_COUNT).
-   * Null where there is no such measure.
+   * The name of a MeasureType, which is its column in the table of parts; its array on the cells of the
+   * parts; its unit; the end of the sentence "removes parts of at most X ..."; and how its words in a
+   * schedule are written, as tN, vP% or rX. Null or empty where there is no such measure.
    */
   static const char* GetMeasureName(int measure);
+  static const char* GetMeasureArray(int measure);
+  static const char* GetMeasureUnit(int measure);
+  static const char* GetMeasureDescription(int measure);
+  static std::string GetMeasureWord(int measure);
+  ///@}
 
   /**
    * AddIteration for a measure by its name. Where there is no such measure that is an error, here and
@@ -269,7 +292,7 @@ private:
   vtkMedialPrune(const vtkMedialPrune&) = delete;
   void operator=(const vtkMedialPrune&) = delete;
 
-  void RefuseMeasure(const std::string& measure);
+  void RefuseSchedule(const std::string& fault);
 
   struct vtkLists;
   struct vtkAxis;

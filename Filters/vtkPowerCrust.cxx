@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPowerCrust.h"
 
+#include "Axis/MedialAxis.h"
 #include "Collections/Objects.h"
 #include "Conversion/Axis.h"
 #include "Conversion/Balls.h"
 #include "Conversion/Crust.h"
 #include "Conversion/Parts.h"
+#include "Parts/BallShares.h"
 #include "Pipeline/ReportErrors.h"
 
 #include "vtkObjectFactory.h"

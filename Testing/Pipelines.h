@@ -9,6 +9,7 @@
 #include "Base/Lists.h"
 #include "Complexes.h"
 #include "Crust/PowerCrust.h"
+#include "Parts/BallShares.h"
 #include "Parts/MedialParts.h"
 #include "Pruning/Pruning.h"
 #include "Shapes.h"
@@ -299,12 +300,13 @@ inline std::string bytesOf(const medial::MedialParts& p)
   bytes.add(p.partOfCell);
   for (const medial::MedialPart& part : p.parts)
   {
-    bytes.add(part.dimension).add(part.level).add(part.triangles).add(part.area);
-    bytes.add(part.volume).add(part.relativeVolume).add(part.meanRadius);
-    bytes.add(part.minimumRadius).add(part.maximumRadius).add(part.contacts);
-    bytes.add(part.poleVolume).add(part.objectAngle).add(part.lambda).add(part.erosionThickness);
-    bytes.add(part.hausdorffDistance).add(part.neighbors).add(part.onLoop);
+    bytes.add(part.dimension).add(part.level).add(part.volume).add(part.minimumRadius);
+    bytes.add(part.contacts).add(part.neighbors).add(part.neckRatio).add(part.onLoop);
     bytes.add(part.principalLengths).add(part.lower).add(part.upper).add(part.centroid);
+  }
+  for (const std::vector<double>& values : p.values)
+  {
+    bytes.add(values);
   }
   for (const medial::ContactCurve& curve : p.contacts)
   {

@@ -17,7 +17,7 @@ constexpr const char* InnerRadius = "InnerRadius";
 constexpr const char* Side = "Side";
 constexpr const char* TouchesGuard = "TouchesGuard";
 constexpr const char* Volume = "Volume";
-constexpr const char* PoleVolume = "PoleVolume"; // and column of the table of parts
+constexpr const char* PoleVolume = "PoleVolume";
 // ... field data, one entry for each sample
 constexpr const char* Samples = "Samples";
 constexpr const char* DuplicateOf = "DuplicateOf";
@@ -54,33 +54,20 @@ constexpr const char* BettiAxis = "BettiAxis";
 constexpr const char* Certificate = "Certificate";
 constexpr const char* Fallback = "Fallback";
 constexpr const char* Kappa = "Kappa";
+constexpr const char* SampleDiagonal = "SampleDiagonal";
 constexpr const char* NumberOfOffAxisBalls = "NumberOfOffAxisBalls";
 
 // vtkMedialPartDecomposition: cells
 constexpr const char* PartId = "PartId"; // and column of the table
 constexpr const char* PartLevel = "PartLevel";
-constexpr const char* TriangleCount = "TriangleCount";
-constexpr const char* RelativeVolume = "RelativeVolume"; // and column of the table
-constexpr const char* PartPoleVolume = "PartPoleVolume";
-constexpr const char* PartArea = "PartArea";
-constexpr const char* PartMeanRadius = "PartMeanRadius";
-constexpr const char* PartMaximumRadius = "PartMaximumRadius";
-constexpr const char* PartObjectAngle = "PartObjectAngle";
-constexpr const char* PartLambda = "PartLambda";
-constexpr const char* PartErosionThickness = "PartErosionThickness";
-constexpr const char* PartHausdorffDistance = "PartHausdorffDistance";
+// ... and an array for each measure, see MeasureTraits::cellArray in Core/Parts/Measures.h
 // ... field data, single values
 constexpr const char* NumberOfParts = "NumberOfParts";
 constexpr const char* SuggestedThreshold = "SuggestedThreshold"; // a component for each measure
-// ... columns of the table of parts; Volume, ObjectAngle, Lambda, ErosionThickness too
+// ... columns of the table of parts, beside one for each measure, MeasureTraits::name; Volume too
 constexpr const char* Dimension = "Dimension";
 constexpr const char* Level = "Level";
-constexpr const char* Triangles = "Triangles";
-constexpr const char* Area = "Area";
-constexpr const char* MeanRadius = "MeanRadius";
 constexpr const char* MinimumRadius = "MinimumRadius";
-constexpr const char* MaximumRadius = "MaximumRadius";
-constexpr const char* HausdorffDistance = "HausdorffDistance";
 constexpr const char* Contacts = "Contacts";
 constexpr const char* Neighbors = "Neighbors";
 constexpr const char* NeckRatio = "NeckRatio";
@@ -101,6 +88,7 @@ constexpr const char* KeepReason = "KeepReason";
 // ... cells of what was removed, and column of the history
 constexpr const char* Iteration = "Iteration";
 // ... columns of the history
+constexpr const char* Word = "Word";
 constexpr const char* ByHand = "ByHand";
 constexpr const char* Measure = "Measure";
 constexpr const char* Threshold = "Threshold";

@@ -85,6 +85,7 @@ void write(const MedialAxis& axis, vtkUnstructuredGrid* balls, vtkPolyData* outp
   addTopology(field, axis);
   addOne<vtkUnsignedCharArray>(field, names::Fallback, axis.fallback);
   addOne<vtkDoubleArray>(field, names::Kappa, axis.kappa);
+  addOne<vtkDoubleArray>(field, names::SampleDiagonal, axis.sampleDiagonal);
   addOne<vtkIdTypeArray>(field, names::NumberOfOffAxisBalls, offAxisBalls(axis.ballOwner));
 }
 
@@ -115,6 +116,10 @@ MedialAxis readMedialAxis(vtkPolyData* input)
     result.siteViews.push_back({ angles[cell], lambdas[cell] });
   }
   result.cellErosion = cells.reals(names::ErosionThickness, cellCount, 0);
+  if (field.has(names::SampleDiagonal)) // files of an earlier version lack it
+  {
+    result.sampleDiagonal = field.reals(names::SampleDiagonal, 1, 0).front();
+  }
   result.powerShapeBetti = field.betti(names::BettiPowerShape);
   result.betti = field.betti(names::BettiAxis);
   result.certificate = field.flags(names::Certificate, 1).front() != 0;

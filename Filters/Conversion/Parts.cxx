@@ -27,25 +27,36 @@ namespace
 {
 constexpr const char* TakeParts = "take the output of vtkMedialPartDecomposition or vtkMedialPrune";
 
-void addPartTable(vtkFieldData* rows, const std::vector<MedialPart>& parts)
+/// Adds the values of a measure; field(entry) is the part of an entry. Counts are whole numbers.
+template <typename Entries, typename Field>
+void addMeasure(vtkFieldData* data, const char* name, const MeasureTraits& traits,
+  const MedialParts& parts, const Entries& entries, Field part)
 {
+  const auto value = [&](const auto& entry) { return parts.value(traits.measure, part(entry)); };
+  if (traits.unit == Unit::Count)
+  {
+    add<vtkIdTypeArray>(data, name, entries, value);
+  }
+  else
+  {
+    add<vtkDoubleArray>(data, name, entries, value);
+  }
+}
+
+void addPartTable(vtkFieldData* rows, const MedialParts& medialParts)
+{
+  const std::vector<MedialPart>& parts = medialParts.parts;
   std::vector<Index> numbers(parts.size());
   std::iota(numbers.begin(), numbers.end(), 0);
   add<vtkIdTypeArray>(rows, names::PartId, numbers);
   add<vtkIntArray>(rows, names::Dimension, parts, &MedialPart::dimension);
   add<vtkIntArray>(rows, names::Level, parts, &MedialPart::level);
-  add<vtkIdTypeArray>(rows, names::Triangles, parts, &MedialPart::triangles);
-  add<vtkDoubleArray>(rows, names::Area, parts, &MedialPart::area);
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    addMeasure(rows, traits.name, traits, medialParts, numbers, Itself());
+  }
   add<vtkDoubleArray>(rows, names::Volume, parts, &MedialPart::volume);
-  add<vtkDoubleArray>(rows, names::RelativeVolume, parts, &MedialPart::relativeVolume);
-  add<vtkDoubleArray>(rows, names::MeanRadius, parts, &MedialPart::meanRadius);
   add<vtkDoubleArray>(rows, names::MinimumRadius, parts, &MedialPart::minimumRadius);
-  add<vtkDoubleArray>(rows, names::MaximumRadius, parts, &MedialPart::maximumRadius);
-  add<vtkDoubleArray>(rows, names::PoleVolume, parts, &MedialPart::poleVolume);
-  add<vtkDoubleArray>(rows, names::ObjectAngle, parts, &MedialPart::objectAngle);
-  add<vtkDoubleArray>(rows, names::Lambda, parts, &MedialPart::lambda);
-  add<vtkDoubleArray>(rows, names::ErosionThickness, parts, &MedialPart::erosionThickness);
-  add<vtkDoubleArray>(rows, names::HausdorffDistance, parts, &MedialPart::hausdorffDistance);
   add<vtkIdTypeArray>(rows, names::Contacts, parts, &MedialPart::contacts);
   add<vtkIdTypeArray>(rows, names::Neighbors, parts, &MedialPart::neighbors);
   add<vtkDoubleArray>(rows, names::NeckRatio, parts, &MedialPart::neckRatio);
@@ -86,33 +97,19 @@ void addContacts(const std::vector<ContactCurve>& contacts, vtkPolyData* output)
 
 void addParts(vtkCellData* cells, vtkFieldData* field, const MedialParts& parts)
 {
-  const auto ofPart = [&](auto member) {
-    return [&parts, member](Index part) { return parts.parts[part].*member; };
-  };
   const std::vector<Index>& partOfCell = parts.partOfCell;
   add<vtkIdTypeArray>(cells, names::PartId, partOfCell);
   cells->SetActiveScalars(names::PartId);
-  add<vtkIntArray>(cells, names::PartLevel, partOfCell, ofPart(&MedialPart::level));
-  add<vtkIdTypeArray>(cells, names::TriangleCount, partOfCell, ofPart(&MedialPart::triangles));
-  const auto addMeasure = [&](const char* name, double MedialPart::*member) {
-    add<vtkDoubleArray>(cells, name, partOfCell, ofPart(member));
-  };
-  addMeasure(names::RelativeVolume, &MedialPart::relativeVolume);
-  addMeasure(names::PartPoleVolume, &MedialPart::poleVolume);
-  addMeasure(names::PartArea, &MedialPart::area);
-  addMeasure(names::PartMeanRadius, &MedialPart::meanRadius);
-  addMeasure(names::PartMaximumRadius, &MedialPart::maximumRadius);
-  addMeasure(names::PartObjectAngle, &MedialPart::objectAngle);
-  addMeasure(names::PartLambda, &MedialPart::lambda);
-  addMeasure(names::PartErosionThickness, &MedialPart::erosionThickness);
-  addMeasure(names::PartHausdorffDistance, &MedialPart::hausdorffDistance);
-  addOne<vtkIdTypeArray>(field, names::NumberOfParts, count(parts.parts));
+  add<vtkIntArray>(
+    cells, names::PartLevel, partOfCell, [&](Index part) { return parts.parts[part].level; });
   const auto suggested = tuples<vtkDoubleArray>(names::SuggestedThreshold,
     static_cast<int>(allMeasures().size()), std::array{ parts.suggestedThresholds });
   for (const MeasureTraits& traits : allMeasures())
   {
+    addMeasure(cells, traits.cellArray, traits, parts, partOfCell, Itself());
     suggested->SetComponentName(static_cast<int>(traits.measure), traits.name);
   }
+  addOne<vtkIdTypeArray>(field, names::NumberOfParts, count(parts.parts));
   field->AddArray(suggested);
 }
 
@@ -121,7 +118,7 @@ void write(const MedialParts& parts, vtkPolyData* axis, vtkPolyData* output, vtk
 {
   output->ShallowCopy(axis);
   addParts(output->GetCellData(), output->GetFieldData(), parts);
-  addPartTable(table->GetRowData(), parts.parts);
+  addPartTable(table->GetRowData(), parts);
   contacts->SetPoints(axis->GetPoints());
   contacts->GetPointData()->PassData(axis->GetPointData());
   addContacts(parts.contacts, contacts);

@@ -17,13 +17,13 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <ostream>
 #include <set>
 #include <sstream>
 
@@ -84,6 +84,14 @@ void addHistory(vtkFieldData* rows, const std::vector<PruneRow>& history)
   std::vector<Index> numbers(history.size());
   std::iota(numbers.begin(), numbers.end(), 0);
   add<vtkIdTypeArray>(rows, names::Iteration, numbers);
+  vtkNew<vtkStringArray> words;
+  words->SetName(names::Word);
+  for (const PruneRow& row : history)
+  {
+    words->InsertNextValue(
+      row.byHand ? "by hand" : scheduleWord({ row.measure, row.threshold, 0, false }));
+  }
+  rows->AddArray(words);
   add<vtkUnsignedCharArray>(rows, names::ByHand, history, &PruneRow::byHand);
   add<vtkIntArray>(rows, names::Measure, history, &PruneRow::measure);
   add<vtkDoubleArray>(rows, names::Threshold, history, &PruneRow::threshold);
@@ -156,14 +164,5 @@ void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTabl
     when, names::PartId, cells, [&](Index cell) { return pruned.removedPart[cell]; });
   when->SetActiveScalars(names::PartId);
   copyCells(axis, cells, when, removed);
-}
-
-void print(std::ostream& stream, vtkIndent indent, const std::vector<PruneIteration>& schedule)
-{
-  for (const PruneIteration& iteration : schedule)
-  {
-    stream << indent << findMeasure(static_cast<int>(iteration.measure))->name
-           << " <= " << iteration.threshold << ", passes: " << iteration.passes << "\n";
-  }
 }
 }

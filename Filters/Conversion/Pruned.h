@@ -4,9 +4,6 @@
 
 #include "Pruning/Pruning.h"
 
-#include "vtkIndent.h"
-
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -23,9 +20,6 @@ void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTabl
 /// parts, else by cell, with the reason; empty where all went.
 std::string refusals(
   const Pruned& pruned, const std::vector<Index>& cellsToRemove, vtkPolyData* axis);
-
-/// The schedule for people, one line for each iteration.
-void print(std::ostream& stream, vtkIndent indent, const std::vector<PruneIteration>& schedule);
 }
 
 #endif

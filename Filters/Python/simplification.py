@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any, Iterable, NamedTuple, Sequence
 
 from vtkmodules.util.misc import calldata_type
-from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPointSet, vtkPolyData, vtkTable
 
 from .vtkFiltersMedial import vtkSimplifyShape
@@ -48,7 +48,7 @@ def simplify(points: Any, schedule: Iterable[Sequence] | None = None) -> Simplif
 
 def arrays(data: vtkDataObject) -> dict[str, Any]:
     """The arrays of an output as numpy arrays that share its memory: by their names those of points,
-    cells, rows and field; further "points" (n, 3), and of the polygons "offsets" and "corners":
+    cells, rows and field (texts as lists of str); further "points" (n, 3), and of the polygons "offsets" and "corners":
     polygon i has the points corners[offsets[i]:offsets[i + 1]].
     """
     from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -57,7 +57,11 @@ def arrays(data: vtkDataObject) -> dict[str, Any]:
     for kind in range(vtkDataObject.NUMBER_OF_ATTRIBUTE_TYPES):
         attributes = data.GetAttributesAsFieldData(kind)
         for i in range(attributes.GetNumberOfArrays() if attributes else 0):
-            result[attributes.GetArrayName(i)] = vtk_to_numpy(attributes.GetArray(i))
+            array = attributes.GetAbstractArray(i)
+            if isinstance(array, vtkStringArray):
+                result[array.GetName()] = [array.GetValue(k) for k in range(array.GetNumberOfValues())]
+            else:
+                result[array.GetName()] = vtk_to_numpy(array)
     if isinstance(data, vtkPointSet) and data.GetPoints():
         result["points"] = vtk_to_numpy(data.GetPoints().GetData())
     if isinstance(data, vtkPolyData):

@@ -13,6 +13,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
@@ -33,8 +34,28 @@ using testing::AssertionFailure;
 using testing::AssertionResult;
 using testing::AssertionSuccess;
 
+AssertionResult sameTexts(vtkStringArray* a, vtkStringArray* b)
+{
+  if (a->GetNumberOfValues() != b->GetNumberOfValues())
+  {
+    return AssertionFailure() << "texts of another number";
+  }
+  for (vtkIdType i = 0; i < a->GetNumberOfValues(); ++i)
+  {
+    if (a->GetValue(i) != b->GetValue(i))
+    {
+      return AssertionFailure() << a->GetValue(i) << " is not " << b->GetValue(i) << " at " << i;
+    }
+  }
+  return AssertionSuccess();
+}
+
 AssertionResult sameArray(vtkAbstractArray* a, vtkAbstractArray* b)
 {
+  if (vtkStringArray::SafeDownCast(a) && vtkStringArray::SafeDownCast(b))
+  {
+    return sameTexts(vtkStringArray::SafeDownCast(a), vtkStringArray::SafeDownCast(b));
+  }
   vtkDataArray *x = vtkDataArray::SafeDownCast(a), *y = vtkDataArray::SafeDownCast(b);
   if (!x || !y || x->GetDataType() != y->GetDataType() ||
     x->GetNumberOfComponents() != y->GetNumberOfComponents() ||
@@ -193,6 +214,19 @@ std::vector<std::string> arrays(vtkFieldData* data)
     vtkAbstractArray* array = data->GetAbstractArray(i);
     result.push_back(std::string(array->GetName()) + " " + array->GetDataTypeAsString() + " " +
       std::to_string(array->GetNumberOfComponents()));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+std::vector<std::string> measureArrays()
+{
+  std::vector<std::string> result;
+  for (int i = 0; vtkMedialPrune::GetMeasureArray(i); ++i)
+  {
+    const bool isCount = std::string(vtkMedialPrune::GetMeasureUnit(i)) == "count";
+    result.push_back(
+      vtkMedialPrune::GetMeasureArray(i) + std::string(isCount ? " idtype 1" : " double 1"));
   }
   std::sort(result.begin(), result.end());
   return result;

@@ -68,6 +68,9 @@ private:
 /// Each array as "name type components", sorted.
 std::vector<std::string> arrays(vtkFieldData* data);
 
+/// The same for the cell arrays with the measures of parts, from vtkMedialPrune's table of measures.
+std::vector<std::string> measureArrays();
+
 /// Do the two hold the same cells, points and arrays, to the last bit?
 testing::AssertionResult same(vtkDataObject* a, vtkDataObject* b);
 

@@ -42,7 +42,7 @@ TEST(MedialAxis, HasTheArraysOfItsHeader)
   std::vector<std::string> expected = arrays(boxPipeline().balls->GetOutput()->GetFieldData());
   for (const char* array : { "BallOwner idtype 1", "BallPoleVolume double 1", "BallVolume double 1",
          "BettiAxis idtype 3", "Certificate unsigned char 1", "Fallback unsigned char 1",
-         "Kappa double 1", "NumberOfOffAxisBalls idtype 1" })
+         "Kappa double 1", "NumberOfOffAxisBalls idtype 1", "SampleDiagonal double 1" })
   {
     expected.emplace_back(array);
   }

@@ -36,30 +36,33 @@ TEST(MedialPartDecomposition, AddsTheArraysOfItsHeader)
 {
   vtkPolyData *axis = boxPipeline().axis->GetOutput(), *parts = boxPipeline().parts->GetOutput();
   EXPECT_EQ(arrays(parts->GetPointData()), arrays(axis->GetPointData()));
-  EXPECT_EQ(arrays(parts->GetCellData()),
-    (std::vector<std::string>{ "ErosionThickness double 1", "Lambda double 1",
-      "ObjectAngle double 1", "PartArea double 1", "PartErosionThickness double 1",
-      "PartHausdorffDistance double 1", "PartId idtype 1", "PartLambda double 1", "PartLevel int 1",
-      "PartMaximumRadius double 1", "PartMeanRadius double 1", "PartObjectAngle double 1",
-      "PartPoleVolume double 1", "PolygonId idtype 1", "RelativeVolume double 1",
-      "SiteSamples idtype 2", "TriangleCount idtype 1" }));
-  std::vector<std::string> expected = arrays(axis->GetFieldData());
+  const std::vector<std::string> names = filterTest::measureArrays();
+  std::vector<std::string> expected = arrays(axis->GetCellData());
+  expected.insert(expected.end(), { "PartId idtype 1", "PartLevel int 1" });
+  expected.insert(expected.end(), names.begin(), names.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(arrays(parts->GetCellData()), expected);
+  expected = arrays(axis->GetFieldData());
   expected.emplace_back("NumberOfParts idtype 1");
-  expected.emplace_back("SuggestedThreshold double 10");
+  expected.emplace_back("SuggestedThreshold double " + std::to_string(names.size()));
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(arrays(parts->GetFieldData()), expected);
 }
 
 TEST(MedialPartDecomposition, HasTheColumnsOfItsHeader)
 {
-  EXPECT_EQ(arrays(partTable()->GetRowData()),
-    (std::vector<std::string>{ "Area double 1", "Bounds double 6", "Centroid double 3",
-      "Contacts idtype 1", "Dimension int 1", "ErosionThickness double 1",
-      "HausdorffDistance double 1", "Lambda double 1", "Level int 1", "MaximumRadius double 1",
-      "MeanRadius double 1", "MinimumRadius double 1", "NeckRatio double 1", "Neighbors idtype 1",
-      "ObjectAngle double 1", "OnLoop unsigned char 1", "PartId idtype 1", "PoleVolume double 1",
-      "PrincipalLengths double 3", "RelativeVolume double 1", "Triangles idtype 1",
-      "Volume double 1" }));
+  std::vector<std::string> expected{ "Bounds double 6", "Centroid double 3", "Contacts idtype 1",
+    "Dimension int 1", "Level int 1", "MinimumRadius double 1", "NeckRatio double 1",
+    "Neighbors idtype 1", "OnLoop unsigned char 1", "PartId idtype 1", "PrincipalLengths double 3",
+    "Volume double 1" };
+  for (int i = 0; vtkMedialPrune::GetMeasureName(i); ++i)
+  {
+    const bool isCount = std::string(vtkMedialPrune::GetMeasureUnit(i)) == "count";
+    expected.push_back(
+      vtkMedialPrune::GetMeasureName(i) + std::string(isCount ? " idtype 1" : " double 1"));
+  }
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(arrays(partTable()->GetRowData()), expected);
 }
 
 TEST(MedialPartDecomposition, HasTheArraysOfItsHeaderOnContacts)
@@ -81,25 +84,23 @@ TEST(MedialPartDecomposition, KeepsTheCellsOfTheAxis)
 TEST(MedialPartDecomposition, SaysTheSameInCellsAndTable)
 {
   vtkPolyData* parts = boxPipeline().parts->GetOutput();
-  std::map<double, int> triangles;
+  std::map<double, int> cells;
   for (vtkIdType i = 0; i < parts->GetNumberOfCells(); ++i)
   {
     const double part = cell("PartId", i);
-    triangles[part] += parts->GetCellType(i) == VTK_TRIANGLE;
+    ++cells[part];
     EXPECT_EQ(cell("PartLevel", i), column("Level", part));
-    EXPECT_EQ(cell("TriangleCount", i), column("Triangles", part));
-    EXPECT_EQ(cell("RelativeVolume", i), column("RelativeVolume", part));
-    for (const std::string measure : { "PoleVolume", "Area", "MeanRadius", "MaximumRadius",
-           "ObjectAngle", "Lambda", "ErosionThickness", "HausdorffDistance" })
+    for (int measure = 0; vtkMedialPrune::GetMeasureName(measure); ++measure)
     {
-      EXPECT_EQ(cell(("Part" + measure).c_str(), i), column(measure.c_str(), part)) << measure;
+      const char* name = vtkMedialPrune::GetMeasureName(measure);
+      EXPECT_EQ(cell(vtkMedialPrune::GetMeasureArray(measure), i), column(name, part)) << name;
     }
   }
-  EXPECT_EQ(static_cast<vtkIdType>(triangles.size()), partTable()->GetNumberOfRows());
-  for (const auto& [part, count] : triangles)
+  EXPECT_EQ(static_cast<vtkIdType>(cells.size()), partTable()->GetNumberOfRows());
+  for (const auto& [part, count] : cells)
   {
     EXPECT_EQ(column("PartId", part), part);
-    EXPECT_EQ(column("Triangles", part), count);
+    EXPECT_EQ(column("TriangleCount", part), count);
   }
 }
 
@@ -122,7 +123,7 @@ TEST(MedialPartDecomposition, SuggestsThresholdsThatRemoveHalfOfTheOuterPartsOrM
     double outer = 0, removed = 0, volume = 0;
     for (vtkIdType part = 0; part < partTable()->GetNumberOfRows(); ++part)
     {
-      const char* name = measure == 0 ? "Triangles" : suggested->GetComponentName(measure);
+      const char* name = suggested->GetComponentName(measure);
       const bool isBelow = column("Level", part) == 1 && column(name, part) <= threshold;
       outer += column("Level", part) == 1;
       removed += isBelow;

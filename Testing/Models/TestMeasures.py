@@ -10,12 +10,10 @@ import unittest
 
 import numpy
 
-from medialaxis import arrays, vtkMedialPartDecomposition
+from medialaxis import arrays, vtkMedialPartDecomposition, vtkMedialPrune
 from models import PLACES, Model, areas, betti, field, history, main
 
 ROUNDING = 1e-9
-COLUMNS = ["Triangles", "RelativeVolume", "PoleVolume", "Area", "MeanRadius", "MaximumRadius",
-           "ObjectAngle", "Lambda", "ErosionThickness", "HausdorffDistance"]
 
 
 def paths():
@@ -55,14 +53,15 @@ class Measures(unittest.TestCase):
         outer |= not outer.any()  # a closed sheet has no border
         print("%d parts, Betti numbers %s" % (len(outer), numbers))
         for measure, suggested in enumerate(field(parts.GetOutput(), "SuggestedThreshold")):
-            with self.subTest(COLUMNS[measure]):
-                steps = thresholds(suggested, table[COLUMNS[measure]][outer])
+            name = vtkMedialPrune.GetMeasureName(measure)
+            with self.subTest(name):
+                steps = thresholds(suggested, table[name][outer])
                 self.check_pruning(model, measure, steps, numbers)
 
     def check_pruning(self, model, measure, steps, numbers):
         prune = model.pruned(*((measure, threshold) for threshold in steps))
         rows = history(prune)
-        print("  %-18s %s parts" % (COLUMNS[measure], rows["PartsAfter"]), flush=True)
+        print("  %-18s %s parts" % (vtkMedialPrune.GetMeasureName(measure), rows["PartsAfter"]), flush=True)
         self.assertEqual(rows["Betti"].tolist(), [numbers, numbers])
         self.assertEqual(betti(prune.GetOutput()), numbers)
 

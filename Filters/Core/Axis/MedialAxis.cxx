@@ -178,6 +178,7 @@ MedialAxis medialAxis(
     axis.fallback = true;
     axis.kappa = -1;
   }
+  axis.sampleDiagonal = boundingBox(polarBalls.samples).diagonal().norm();
   axis.powerShapeBetti = shape.betti;
   axis.certificate = axis.betti == shape.betti;
   axis.ballOwner = owners(polarBalls, axis.ballOfPoint);

@@ -68,6 +68,8 @@ struct MedialAxis
   std::vector<double> ballVolumes; ///< PolarBalls::volumes
   std::vector<double> poleVolumes; ///< PolarBalls::poleVolumes
 
+  double sampleDiagonal = 0; ///< of the samples' bounding box; 0: not known
+
   Betti powerShapeBetti;
   Betti betti;      ///< of points and cells above, computed from them
   bool certificate; ///< betti == powerShapeBetti

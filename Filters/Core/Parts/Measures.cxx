@@ -2,21 +2,23 @@
 #include "Parts/Measures.h"
 
 #include "Base/BallTree.h"
-#include "Base/Lists.h"
-#include "Parts/MedialParts.h"
+#include "Parts/BallShares.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace medial
 {
 namespace
 {
+using Values = std::vector<double>;
+
 /// For each part fold(value, cell) over its cells, from 0.
 template <typename Fold>
-std::vector<double> overCells(const Partition& partition, const Fold& fold)
+Values overCells(const Partition& partition, const Fold& fold)
 {
-  std::vector<double> result(partition.cells.size(), 0);
+  Values result(partition.cells.size(), 0);
   for (Index part = 0; part < count(result); ++part)
   {
     for (const Index cell : partition.cells[part])
@@ -25,6 +27,14 @@ std::vector<double> overCells(const Partition& partition, const Fold& fold)
     }
   }
   return result;
+}
+
+/// For each part the largest value(cell) of its cells.
+template <typename Value>
+Values largestOfCells(const Partition& partition, const Value& value)
+{
+  return overCells(
+    partition, [&value](double most, Index cell) { return std::max(most, value(cell)); });
 }
 
 /// Calls body(part, point) for each point of each part once.
@@ -47,10 +57,10 @@ void forEachPoint(const MedialAxis& axis, const Partition& partition, const Body
   }
 }
 
-std::vector<double> sizesOfCells(const MedialAxis& axis)
+Values sizesOfCells(const MedialAxis& axis)
 {
   const std::vector<Point>& points = axis.points;
-  std::vector<double> sizes(axis.cells.vertices.size(), 1);
+  Values sizes(axis.cells.vertices.size(), 1);
   sizes.reserve(axis.cells.size());
   for (const Edge& edge : axis.cells.edges)
   {
@@ -63,33 +73,188 @@ std::vector<double> sizesOfCells(const MedialAxis& axis)
   return sizes;
 }
 
-std::vector<double> meanRadii(const MedialAxis& axis, const Partition& partition)
+Values triangleCounts(const PartMeasures&, const Partition& partition, const Execution&)
 {
-  std::vector<double> sums(partition.cells.size(), 0), counts(sums.size(), 0);
+  return overCells(partition, [](double sum, Index) { return sum + 1; });
+}
+
+Values relativeVolumes(const PartMeasures& measures, const Partition& partition, const Execution&)
+{
+  Values result(partition.cells.size(), 0);
+  const std::vector<Index> partOf =
+    partOfBall(measures.axis, partition.partOfCell, measures.cellsOfPoint);
+  for (Index b = 0; b < count(partOf); ++b)
+  {
+    if (partOf[b] != None && measures.solidVolume > 0)
+    {
+      result[partOf[b]] += measures.axis.ballVolumes[b] / measures.solidVolume;
+    }
+  }
+  return result;
+}
+
+Values relativePoleVolumes(
+  const PartMeasures& measures, const Partition& partition, const Execution&)
+{
+  const MedialAxis& axis = measures.axis;
+  Values result(partition.cells.size(), 0);
+  std::vector<Index> last(axis.poleVolumes.size(), None); // a ball can be at several points
   forEachPoint(axis, partition, [&](Index part, Index p) {
-    sums[part] += axis.radii[p];
-    ++counts[part];
+    const Index ball = axis.ballOfPoint[p];
+    if (ball != None && last[ball] != part && measures.solidVolume > 0)
+    {
+      last[ball] = part;
+      result[part] += axis.poleVolumes[ball] / measures.solidVolume;
+    }
   });
-  std::transform(sums.begin(), sums.end(), counts.begin(), sums.begin(), std::divides<>());
-  return sums;
+  return result;
+}
+
+Values areas(const PartMeasures& measures, const Partition& partition, const Execution&)
+{
+  const Index firstTriangle = measures.axis.cells.firstTriangle();
+  return overCells(partition, [&](double sum, Index cell) {
+    return cell < firstTriangle ? sum : sum + measures.sizes[cell];
+  });
+}
+
+/// Adds up from the lowest point to the highest, so that the order of the cells doesn't matter.
+Values meanRadii(const PartMeasures& measures, const Partition& partition, const Execution&)
+{
+  Values result(partition.cells.size(), 0), counts(result);
+  forEachPoint(measures.axis, partition, [&counts](Index part, Index) { ++counts[part]; });
+  std::vector<Index> parts;
+  for (Index p = 0; p < measures.cellsOfPoint.size(); ++p)
+  {
+    partsOf(measures.cellsOfPoint[p], partition.partOfCell, parts);
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    for (const Index part : parts)
+    {
+      result[part] += measures.axis.radii[p] / counts[part];
+    }
+  }
+  return result;
+}
+
+Values maximumRadii(const PartMeasures& measures, const Partition& partition, const Execution&)
+{
+  return overCells(partition, [&](double most, Index cell) {
+    forPoints(
+      measures.axis.cells, cell, [&](Index p) { most = std::max(most, measures.axis.radii[p]); });
+    return most;
+  });
+}
+
+Values objectAngles(const PartMeasures& measures, const Partition& partition, const Execution&)
+{
+  Values means = overCells(partition, [&](double sum, Index cell) {
+    return sum + measures.sizes[cell] * measures.axis.siteViews[cell].objectAngle;
+  });
+  const Values sums =
+    overCells(partition, [&](double sum, Index cell) { return sum + measures.sizes[cell]; });
+  // A part without a size, of flat triangles alone, sees nothing.
+  std::transform(means.begin(), means.end(), sums.begin(), means.begin(),
+    [](double mean, double sum) { return sum > 0 ? mean / sum : 0; });
+  return means;
+}
+
+Values lambdas(const PartMeasures& measures, const Partition& partition, const Execution&)
+{
+  return largestOfCells(
+    partition, [&](Index cell) { return measures.axis.siteViews[cell].lambda; });
+}
+
+Values erosionThicknesses(
+  const PartMeasures& measures, const Partition& partition, const Execution&)
+{
+  return largestOfCells(partition, [&](Index cell) { return measures.axis.cellErosion[cell]; });
+}
+
+/// The balls on the axis, each with the only part that holds it, or the number of parts if several do.
+struct HeldBalls
+{
+  std::vector<Ball> balls;
+  std::vector<Index> parts;
+};
+
+HeldBalls heldBalls(const MedialAxis& axis, const Partition& partition)
+{
+  const Index shared = partition.cells.size();
+  std::vector<Index> partOf(axis.ballOwner.size(), None), pointOf(partOf);
+  forEachPoint(axis, partition, [&](Index part, Index p) {
+    const Index ball = axis.ballOfPoint[p];
+    if (ball != None)
+    {
+      partOf[ball] = partOf[ball] == None || partOf[ball] == part ? part : shared;
+      pointOf[ball] = p;
+    }
+  });
+  HeldBalls result;
+  for (Index b = 0; b < count(partOf); ++b)
+  {
+    if (partOf[b] != None)
+    {
+      result.balls.push_back({ axis.points[pointOf[b]], axis.radii[pointOf[b]] });
+      result.parts.push_back(partOf[b]);
+    }
+  }
+  return result;
+}
+
+Values hausdorffDistances(
+  const PartMeasures& measures, const Partition& partition, const Execution& execution)
+{
+  const HeldBalls held = heldBalls(measures.axis, partition);
+  const double diagonal = boundingDiagonal(held.balls);
+  const BallTree tree(held.balls, held.parts);
+  const IndexLists ballsOf = listsByKey(partition.cells.size() + 1, [&held](const auto& add) {
+    for (Index i = 0; i < count(held.balls); ++i)
+    {
+      add(held.parts[i], i);
+    }
+  });
+  Values result(partition.cells.size(), 0);
+  execution.forEach(count(result), [&](Index part) {
+    for (const Index i : ballsOf[part])
+    {
+      const double protrusion = tree.protrusion(held.balls[i], part, result[part]);
+      result[part] = std::max(result[part], std::min(diagonal, protrusion));
+    }
+  });
+  return result;
 }
 }
 
 const std::vector<MeasureTraits>& allMeasures()
 {
   static const std::vector<MeasureTraits> all{
-    { Measure::TriangleCount, "TriangleCount", "1", true },
-    { Measure::RelativeVolume, "RelativeVolume", "1", true },
-    { Measure::PoleVolume, "PoleVolume", "1", true },
-    { Measure::Area, "Area", "area", true },
-    { Measure::MeanRadius, "MeanRadius", "length", false },
-    { Measure::MaximumRadius, "MaximumRadius", "length", false },
-    { Measure::ObjectAngle, "ObjectAngle", "degrees", false },
-    { Measure::Lambda, "Lambda", "length", false },
-    { Measure::ErosionThickness, "ErosionThickness", "length", false },
-    { Measure::HausdorffDistance, "HausdorffDistance", "length", true },
+    { Measure::TriangleCount, "TriangleCount", "TriangleCount", 't', Unit::Count, true,
+      "[TH03] 4.2", "triangles (lines, vertices)", triangleCounts },
+    { Measure::RelativeVolume, "RelativeVolume", "RelativeVolume", 'v', Unit::Share, true,
+      "[TH03] 4.2", "of the volume", relativeVolumes },
+    { Measure::RelativePoleVolume, "RelativePoleVolume", "RelativePoleVolume", 'p', Unit::Share,
+      true, "[TH03] 4.2", "of the volume, counted on its poles alone as in the paper",
+      relativePoleVolumes },
+    { Measure::Area, "Area", "PartArea", 'a', Unit::Area, true, "", "of area", areas },
+    { Measure::MeanRadius, "MeanRadius", "PartMeanRadius", 'm', Unit::Length, false, "",
+      "as mean radius", meanRadii },
+    { Measure::MaximumRadius, "MaximumRadius", "PartMaximumRadius", 'r', Unit::Length, false, "",
+      "as maximum radius", maximumRadii },
+    { Measure::ObjectAngle, "ObjectAngle", "PartObjectAngle", 'o', Unit::Degrees, false, "",
+      "degrees as mean object angle", objectAngles },
+    { Measure::Lambda, "Lambda", "PartLambda", 'l', Unit::Length, false, "[CL05]",
+      "as lambda: where the surface is near", lambdas },
+    { Measure::ErosionThickness, "ErosionThickness", "PartErosionThickness", 'e', Unit::Length,
+      false, "[YSC16]", "as erosion thickness", erosionThicknesses },
+    { Measure::HausdorffDistance, "HausdorffDistance", "PartHausdorffDistance", 'h', Unit::Length,
+      true, "", "as Hausdorff distance: how far the solid recedes", hausdorffDistances },
   };
   return all;
+}
+
+const MeasureTraits& traitsOf(Measure measure)
+{
+  return allMeasures()[static_cast<int>(measure)];
 }
 
 const MeasureTraits* findMeasure(int number)
@@ -106,149 +271,51 @@ const MeasureTraits* findMeasure(const std::string& name)
   return found == all.end() ? nullptr : &*found;
 }
 
-std::string measureNames()
+const char* unitName(Unit unit)
+{
+  switch (unit)
+  {
+    case Unit::Count:
+      return "count";
+    case Unit::Share:
+      return "share of the volume";
+    case Unit::Length:
+      return "length";
+    case Unit::Area:
+      return "area";
+    case Unit::Degrees:
+      return "degrees";
+  }
+  return "";
+}
+
+std::string noMeasure(const std::string& measure)
 {
   std::string names;
   for (const MeasureTraits& traits : allMeasures())
   {
     names += (names.empty() ? "" : ", ") + std::string(traits.name);
   }
-  return names;
+  return "there is no measure " + measure + " for the schedule; use one of " + names;
 }
 
 double together(Measure measure, double a, double b)
 {
-  return findMeasure(static_cast<int>(measure))->addsUp ? a + b : std::max(a, b);
+  return traitsOf(measure).addsUp ? a + b : std::max(a, b);
 }
 
-PartMeasures::PartMeasures(const MedialAxis& theAxis, const IndexLists& cellsOfItsPoints)
-  : axis(theAxis)
-  , solidVolume(std::accumulate(theAxis.ballVolumes.begin(), theAxis.ballVolumes.end(), 0.0))
-  , sizes(sizesOfCells(theAxis))
-  , cellsOfPoint(cellsOfItsPoints)
+PartMeasures::PartMeasures(const MedialAxis& medialAxis, const LivingCells& cells)
+  : axis(medialAxis)
+  , edges(cells.edges)
+  , cellsOfPoint(cells.cellsOfPoint())
+  , solidVolume(std::accumulate(medialAxis.ballVolumes.begin(), medialAxis.ballVolumes.end(), 0.0))
+  , sizes(sizesOfCells(medialAxis))
 {
-}
-
-std::vector<double> PartMeasures::ofVolumes(const Partition& partition) const
-{
-  std::vector<double> result(partition.cells.size(), 0);
-  const std::vector<Index> partOf =
-    partOfBall(this->axis, partition.partOfCell, this->cellsOfPoint);
-  for (Index b = 0; b < count(partOf); ++b)
-  {
-    if (partOf[b] != None && this->solidVolume > 0)
-    {
-      result[partOf[b]] += this->axis.ballVolumes[b] / this->solidVolume;
-    }
-  }
-  return result;
-}
-
-std::vector<double> PartMeasures::poleVolumes(const Partition& partition) const
-{
-  std::vector<double> result(partition.cells.size(), 0);
-  std::vector<Index> last(this->axis.poleVolumes.size(), None); // a ball can be at several points
-  forEachPoint(this->axis, partition, [&](Index part, Index p) {
-    const Index ball = this->axis.ballOfPoint[p];
-    if (ball != None && last[ball] != part && this->solidVolume > 0)
-    {
-      last[ball] = part;
-      result[part] += this->axis.poleVolumes[ball] / this->solidVolume;
-    }
-  });
-  return result;
-}
-
-std::vector<double> PartMeasures::hausdorffDistances(
-  const Partition& partition, const Execution& execution) const
-{
-  const Index shared = partition.cells.size();
-  std::vector<Index> partOf(this->axis.ballOwner.size(), None); // the only one that holds it
-  std::vector<Index> pointOf(partOf.size(), None);
-  forEachPoint(this->axis, partition, [&](Index part, Index p) {
-    const Index ball = this->axis.ballOfPoint[p];
-    if (ball != None)
-    {
-      partOf[ball] = partOf[ball] == None || partOf[ball] == part ? part : shared;
-      pointOf[ball] = p;
-    }
-  });
-  std::vector<Ball> balls;
-  std::vector<Index> groups;
-  for (Index b = 0; b < count(partOf); ++b)
-  {
-    if (partOf[b] != None)
-    {
-      balls.push_back({ this->axis.points[pointOf[b]], this->axis.radii[pointOf[b]] });
-      groups.push_back(partOf[b]);
-    }
-  }
-  const double diagonal = boundingDiagonal(balls);
-  const BallTree tree(balls, groups);
-  std::vector<std::vector<Index>> ballsOf(partition.cells.size() + 1);
-  for (Index i = 0; i < count(balls); ++i)
-  {
-    ballsOf[groups[i]].push_back(i);
-  }
-  std::vector<double> result(partition.cells.size(), 0);
-  execution.forEach(count(result), [&](Index part) {
-    for (const Index i : ballsOf[part])
-    {
-      const double protrusion = tree.protrusion(balls[i], part, result[part]);
-      result[part] = std::max(result[part], std::min(diagonal, protrusion));
-    }
-  });
-  return result;
-}
-
-std::vector<double> PartMeasures::objectAngles(const Partition& partition) const
-{
-  std::vector<double> means = overCells(partition, [&](double sum, Index cell) {
-    return sum + this->sizes[cell] * this->axis.siteViews[cell].objectAngle;
-  });
-  const std::vector<double> sums =
-    overCells(partition, [&](double sum, Index cell) { return sum + this->sizes[cell]; });
-  // A part without a size, of flat triangles alone, sees nothing.
-  std::transform(means.begin(), means.end(), sums.begin(), means.begin(),
-    [](double mean, double sum) { return sum > 0 ? mean / sum : 0; });
-  return means;
 }
 
 std::vector<double> PartMeasures::significance(
   Measure measure, const Partition& partition, const Execution& execution) const
 {
-  const Index firstTriangle = this->axis.cells.firstTriangle();
-  switch (measure)
-  {
-    case Measure::TriangleCount:
-      return overCells(partition, [](double sum, Index) { return sum + 1; });
-    case Measure::RelativeVolume:
-      return this->ofVolumes(partition);
-    case Measure::Area:
-      return overCells(partition, [&](double sum, Index cell) {
-        return cell < firstTriangle ? sum : sum + this->sizes[cell];
-      });
-    case Measure::MeanRadius:
-      return meanRadii(this->axis, partition);
-    case Measure::MaximumRadius:
-      return overCells(partition, [&](double most, Index cell) {
-        forPoints(
-          this->axis.cells, cell, [&](Index p) { most = std::max(most, this->axis.radii[p]); });
-        return most;
-      });
-    case Measure::ObjectAngle:
-      return this->objectAngles(partition);
-    case Measure::Lambda:
-      return overCells(partition,
-        [&](double most, Index cell) { return std::max(most, this->axis.siteViews[cell].lambda); });
-    case Measure::PoleVolume:
-      return this->poleVolumes(partition);
-    case Measure::ErosionThickness:
-      return overCells(partition,
-        [&](double most, Index cell) { return std::max(most, this->axis.cellErosion[cell]); });
-    case Measure::HausdorffDistance:
-      return this->hausdorffDistances(partition, execution);
-  }
-  return {};
+  return traitsOf(measure).formula(*this, partition, execution);
 }
 }

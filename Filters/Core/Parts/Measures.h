@@ -2,82 +2,123 @@
 #ifndef medial_Measures_h
 #define medial_Measures_h
 
+#include "Axis/AxisEdges.h"
 #include "Axis/MedialAxis.h"
 #include "Base/Execution.h"
 #include "Base/Lists.h"
 #include "Base/Types.h"
+#include "Parts/LivingCells.h"
 #include "Parts/Partition.h"
 
 #include <string>
 #include <vector>
 
+/// What makes a part significant.
+///
+/// To add a measure: a number in `Measure` and a row with its formula in the table of Measures.cxx; and
+/// the same number in vtkMedialPrune::MeasureType. Schedules, columns of the table of parts, cell
+/// arrays, the help of the program and the drop-down in ParaView follow from the table.
 namespace medial
 {
-/// What makes a part significant. The first two are the paper's (4.2); the numbers are in files.
+/// The first two are the paper's (4.2). The numbers are in files: they never change.
 enum class Measure
 {
-  TriangleCount = 0,  ///< number of triangles, lines or vertices
-  RelativeVolume = 1, ///< volume of its balls' Delaunay cells / volume of the solid, 0 ... 1
-  PoleVolume = 2,     ///< the same of the poles at its points alone, shared ones in every part
-  Area = 3,           ///< of its triangles; 0 for lines and vertices
-  MeanRadius = 4,     ///< of the maximal balls at its points, each point once
-  MaximumRadius = 5,  ///< of the maximal balls at its points
-  ObjectAngle = 6,    ///< mean over its cells, by area or length; 0 ... 180 degrees
-  Lambda = 7, ///< largest of its cells; the lambda axis ([CL05]) has the points above a value
-  ErosionThickness = 8, ///< largest of its cells, of the axis before pruning ([YSC16])
-  /// How far, at most, the union of the polar balls on the axis recedes where the part goes: the
-  /// largest, over the balls that only this part holds, of the least, over the others, of distance +
-  /// radius - other radius, if above 0. Exact where one ball covers best, else an upper bound. The
-  /// diagonal of their bounding box for a part that holds them all.
+  /// Number of triangles, lines or vertices of the part.
+  TriangleCount = 0,
+
+  /// Volume of the Delaunay cells that count for the part's balls / the same of all balls. Each inner
+  /// cell counts for one ball and each ball for one part, so that the values of all parts sum to 1.
+  RelativeVolume = 1,
+
+  /// The same for the Delaunay cells on the poles at the part's points alone, as the paper says
+  /// literally. A pole that several parts share counts in each, so that the values do not sum to 1.
+  RelativePoleVolume = 2,
+
+  /// Area of its triangles; 0 for lines and vertices.
+  Area = 3,
+
+  /// Mean and maximum radius of the maximal balls at its points, each point once.
+  MeanRadius = 4,
+  MaximumRadius = 5,
+
+  /// Mean over its cells, weighted by area or length, of the largest angle at which the cell sees two
+  /// of its sites (see SiteView.h). Small where a part only follows noise, 180 in the middle of a plate.
+  ObjectAngle = 6,
+
+  /// Largest distance of two sites of one of its cells ([CL05]). Up to this length the part is near the
+  /// surface everywhere.
+  Lambda = 7,
+
+  /// Largest erosion thickness of its cells ([YSC16], see Erosion.h), of the axis before pruning.
+  ErosionThickness = 8,
+
+  /// How far the union of the polar balls on the axis recedes, at most, where the part goes: the
+  /// largest, over the balls that only this part holds, of the least, over the other balls, of
+  /// distance + radius - other radius, if above 0. Exact where one ball covers best, else an upper
+  /// bound. The diagonal of the balls' bounding box for a part that holds all balls.
   HausdorffDistance = 9
 };
 
-/// How a measure behaves, and what it is called.
+/// What a measure counts, and with it how its thresholds are written in a schedule.
+enum class Unit
+{
+  Count,  ///< whole number of cells: t5
+  Share,  ///< of the solid's volume, 0 ... 1; in per cent: v1%
+  Length, ///< in the samples' unit, or in per cent of the diagonal of their bounding box: r0.5, r2%
+  Area,   ///< in the square of the samples' unit: a0.5
+  Degrees ///< 0 ... 180: o20
+};
+
+/// A row of the table of measures: all there is to know about one.
 struct MeasureTraits
 {
   Measure measure;
-  const char* name; ///< column of the table of parts
-  const char* unit; ///< 1, length, area, degrees
-  bool addsUp;      ///< the value of several parts is (at most) the sum of theirs; else the largest
+  const char* name;      ///< also its column in the table of parts
+  const char* cellArray; ///< of the cells of the parts
+  char letter;           ///< of its words in a schedule
+  Unit unit;
+  bool addsUp; ///< the value of several parts together is the sum of theirs; else the largest
+  const char* reference;   ///< where the formula is from, see the bibliography
+  const char* description; ///< ends the sentence "removes parts of at most X ..."
+  /// For each part of a partition its value, never negative.
+  std::vector<double> (*formula)(const class PartMeasures&, const Partition&, const Execution&);
 };
 
-/// All measures in the order of their numbers.
+/// All measures, in the order of their numbers.
 const std::vector<MeasureTraits>& allMeasures();
+
+const MeasureTraits& traitsOf(Measure measure);
 
 /// @return  nullptr where there is no such measure
 const MeasureTraits* findMeasure(int number);
 const MeasureTraits* findMeasure(const std::string& name);
 
-/// All names, with commas between.
-std::string measureNames();
+/// The words for a unit: count, share of the volume, length, area, degrees.
+const char* unitName(Unit unit);
+
+/// That there is no such measure, and which there are.
+std::string noMeasure(const std::string& measure);
 
 /// The value of two parts together.
 double together(Measure measure, double a, double b);
 
-/// The significance of the parts of an axis, again and again for other partitions. What doesn't
-/// depend on the partition is found once.
+/// What the measures need to know of an axis. It does not depend on the partition, so that it is found
+/// once and used for many partitions.
 class PartMeasures
 {
 public:
-  /// @param axis, cellsOfPoint  of the axis; must outlive this
-  PartMeasures(const MedialAxis& axis, const IndexLists& cellsOfPoint);
+  /// @param medialAxis, cells  of the axis; must outlive this. Which cells live doesn't matter.
+  PartMeasures(const MedialAxis& medialAxis, const LivingCells& cells);
 
   const MedialAxis& axis;
+  const AxisEdges& edges;
+  const IndexLists& cellsOfPoint;
   const double solidVolume;        ///< of all balls
   const std::vector<double> sizes; ///< of each cell: area, length, 1
 
   /// For each part of a partition of the axis' cells its value, never negative.
   std::vector<double> significance(
     Measure measure, const Partition& partition, const Execution& execution = {}) const;
-
-private:
-  std::vector<double> ofVolumes(const Partition& partition) const;
-  std::vector<double> poleVolumes(const Partition& partition) const;
-  std::vector<double> objectAngles(const Partition& partition) const;
-  std::vector<double> hausdorffDistances(
-    const Partition& partition, const Execution& execution) const;
-
-  const IndexLists& cellsOfPoint;
 };
 }
 

@@ -51,21 +51,16 @@ Index numberNodes(const std::vector<ContactCurve>& contacts, const std::vector<c
   return nodes;
 }
 
-/// The second of each pair, listed by the first.
+/// The second of each pair in lists by the first, ascending, without repeats.
 IndexLists listed(std::vector<Pair> pairs, Index size)
 {
   sortUnique(pairs);
-  IndexLists result;
-  std::size_t i = 0;
-  for (Index list = 0; list < size; ++list)
-  {
-    for (; i < pairs.size() && pairs[i][0] == list; ++i)
+  return listsByKey(size, [&pairs](const auto& add) {
+    for (const auto& [first, second] : pairs)
     {
-      result.items.push_back(pairs[i][1]);
+      add(first, second);
     }
-    result.close();
-  }
-  return result;
+  });
 }
 
 /// Nodes and parts of a graph as the vertices of one, in the order of a walk by increasing distance
@@ -177,13 +172,14 @@ TopologyGraph topologyGraph(
   return graph;
 }
 
-TopologyGraph topologyGraph(const MedialAxis& axis, const MedialParts& parts)
+TopologyGraph topologyGraph(
+  const std::vector<ContactCurve>& contacts, Index partCount, const std::vector<Point>& points)
 {
-  TopologyGraph graph = topologyGraph(parts.contacts, std::vector<char>(parts.parts.size(), 0));
+  TopologyGraph graph = topologyGraph(contacts, std::vector<char>(partCount, 0));
   std::vector<Pair> pairs; // node, point
-  for (Index c = 0; c < count(parts.contacts); ++c)
+  for (Index c = 0; c < count(contacts); ++c)
   {
-    for (const Index p : parts.contacts[c].points)
+    for (const Index p : contacts[c].points)
     {
       if (graph.nodeOfContact[c] != None)
       {
@@ -191,15 +187,15 @@ TopologyGraph topologyGraph(const MedialAxis& axis, const MedialParts& parts)
       }
     }
   }
-  const IndexLists points = listed(std::move(pairs), graph.partsOfNode.size());
-  for (Index node = 0; node < points.size(); ++node)
+  const IndexLists pointsOfNode = listed(std::move(pairs), graph.partsOfNode.size());
+  for (Index node = 0; node < pointsOfNode.size(); ++node)
   {
     Point sum = Point::Zero();
-    for (const Index p : points[node])
+    for (const Index p : pointsOfNode[node])
     {
-      sum += axis.points[p];
+      sum += points[p];
     }
-    graph.nodeCentroids.push_back(sum / points[node].size());
+    graph.nodeCentroids.push_back(sum / pointsOfNode[node].size());
   }
   return graph;
 }

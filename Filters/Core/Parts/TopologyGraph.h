@@ -2,10 +2,9 @@
 #ifndef medial_TopologyGraph_h
 #define medial_TopologyGraph_h
 
-#include "Axis/MedialAxis.h"
 #include "Base/Lists.h"
 #include "Base/Types.h"
-#include "Parts/MedialParts.h"
+#include "Parts/ContactCurves.h"
 
 #include <vector>
 
@@ -26,13 +25,16 @@ struct TopologyGraph
   std::vector<Point> nodeCentroids; ///< the mean of the points of each node's contacts
 };
 
-TopologyGraph topologyGraph(const MedialAxis& axis, const MedialParts& parts);
-
-/// The same without centroids, and without the parts that are gone.
-/// @param contacts  MedialParts::contacts
+/// The graph without the parts that are gone; without centroids.
+/// @param contacts  of the parts
 /// @param gone      for each part: leave it out?
 TopologyGraph topologyGraph(
   const std::vector<ContactCurve>& contacts, const std::vector<char>& gone);
+
+/// The graph of all parts, with centroids.
+/// @param points  of the axis
+TopologyGraph topologyGraph(
+  const std::vector<ContactCurve>& contacts, Index partCount, const std::vector<Point>& points);
 }
 
 #endif

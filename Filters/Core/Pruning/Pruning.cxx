@@ -3,6 +3,7 @@
 
 #include "Axis/AxisEdges.h"
 #include "Base/Lists.h"
+#include "Parts/BallShares.h"
 #include "Parts/LivingCells.h"
 #include "Parts/Partition.h"
 #include "Parts/Thresholds.h"
@@ -53,6 +54,25 @@ void requireValid(const MedialAxis& axis, const PruneOptions& options)
   requireThere(options.cellsToProtect, "protected");
 }
 
+/// The options with all thresholds in the samples' unit.
+/// @param diagonal  of the samples' bounding box; 0: not known
+PruneOptions inUnits(PruneOptions options, double diagonal)
+{
+  for (PruneIteration& iteration : options.schedule)
+  {
+    if (iteration.ofDiagonal && !(diagonal > 0))
+    {
+      throw InvalidInput(
+        "the axis doesn't know the diagonal of the samples' bounding box, of which '",
+        scheduleWord(iteration), "' is a share: take the output of vtkMedialAxis, or give the ",
+        "threshold as a length");
+    }
+    iteration.threshold *= iteration.ofDiagonal ? diagonal : 1;
+    iteration.ofDiagonal = false;
+  }
+  return options;
+}
+
 /// The parts as one pass finds them, with what decides about them.
 struct Round
 {
@@ -89,11 +109,8 @@ Index sharedIterations(const PruneOptions& a, const PruneOptions& b)
   {
     return 0;
   }
-  const auto isSame = [](const PruneIteration& p, const PruneIteration& q) {
-    return p.measure == q.measure && p.threshold == q.threshold && p.passes == q.passes;
-  };
-  const auto end = std::mismatch(
-    a.schedule.begin(), a.schedule.end(), b.schedule.begin(), b.schedule.end(), isSame);
+  const auto end =
+    std::mismatch(a.schedule.begin(), a.schedule.end(), b.schedule.begin(), b.schedule.end());
   return static_cast<Index>(end.first - a.schedule.begin());
 }
 
@@ -209,7 +226,7 @@ private:
       return std::nullopt;
     }
     const PruneRow& row = this->result.history.back();
-    return PruneIteration{ row.measure, row.threshold, row.passes };
+    return PruneIteration{ row.measure, row.threshold, row.passes, false };
   }
 
   /// Did the last iteration remove at least a tenth of the parts?
@@ -225,7 +242,7 @@ private:
     do
     {
       this->reportIterations(std::max(usual, this->result.history.size() + 1));
-      this->iterate({ Measure::TriangleCount, 5, 0 });
+      this->iterate({ Measure::TriangleCount, 5, 0, false });
     }
     while (this->hasDropped());
     for (bool goesOn = true; goesOn;)
@@ -235,7 +252,7 @@ private:
       goesOn = threshold > 0;
       if (goesOn)
       {
-        this->iterate({ Measure::RelativeVolume, threshold, 0 });
+        this->iterate({ Measure::RelativeVolume, threshold, 0, false });
         goesOn = this->hasDropped();
       }
     }
@@ -775,13 +792,14 @@ PrunableAxis::PrunableAxis(MedialAxis theAxis)
   : axis(std::move(theAxis))
   , edges(axisEdges(this->axis.cells))
   , living(this->axis.cells, this->edges)
-  , measures(this->axis, this->living.cellsOfPoint())
+  , measures(this->axis, this->living)
 {
 }
 
-Pruned prune(PrunableAxis& input, const PruneOptions& options, const Execution& execution)
+Pruned prune(PrunableAxis& input, const PruneOptions& givenOptions, const Execution& execution)
 {
-  requireValid(input.axis, options);
+  requireValid(input.axis, givenOptions);
+  const PruneOptions options = inUnits(givenOptions, input.axis.sampleDiagonal);
   Pruned result = Pruner(input, options, execution).run();
   input.lastOptions = options;
   input.lastRecord = result;

@@ -9,6 +9,7 @@
 #include "Parts/LivingCells.h"
 #include "Parts/Measures.h"
 #include "Parts/MedialParts.h"
+#include "Pruning/Schedule.h"
 
 #include <vector>
 
@@ -24,19 +25,6 @@ enum class Topology
   /// contact curves, so is on no loop of it and connects nothing. Wrong where a loop is inside a part,
   /// and where parts touch in points and lines.
   PaperGraph = 2
-};
-
-/// One round of decompose - measure - prune.
-///
-/// Unlike the paper, passes are repeated. So that a long feature isn't eaten up from its end by small
-/// pieces, a part takes over the significance of what was removed from it before: what goes at one
-/// place in one iteration has at most the threshold in sum, where the measure adds up. With one pass,
-/// or without topology, each part counts alone, as in the paper.
-struct PruneIteration
-{
-  Measure measure = Measure::TriangleCount;
-  double threshold = 5; ///< parts with at most this significance go
-  int passes = 0;       ///< how often to repeat; 0: until nothing changes (the paper: 1)
 };
 
 struct PruneOptions

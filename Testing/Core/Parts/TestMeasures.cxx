@@ -21,7 +21,6 @@ using medial::Index;
 using medial::Measure;
 using medial::MeasureTraits;
 using medial::MedialAxis;
-using medial::MedialPart;
 using medial::None;
 using medial::Partition;
 using medial::Point;
@@ -48,7 +47,8 @@ double areaOf(const MedialAxis& axis, Index cell)
 std::vector<double> significance(
   const MedialAxis& axis, Measure measure, const medial::Execution& execution = {})
 {
-  const medial::IndexLists cells = medial::cellsOfPoints(axis.cells);
+  const medial::AxisEdges edges = medial::axisEdges(axis.cells);
+  const medial::LivingCells cells(axis.cells, edges);
   return medial::PartMeasures(axis, cells).significance(measure, partitionOf(axis), execution);
 }
 }
@@ -163,28 +163,30 @@ TEST(SiteView, OfAnEllipsoidIsLargestInTheMiddle)
 TEST(Measures, AreThoseOfTheParts)
 {
   forEachShape([](Pipeline& p) {
-    const std::vector<MedialPart>& parts = p.parts().parts;
-    const auto expectValues = [&](Measure measure, double MedialPart::*value) {
-      SCOPED_TRACE(testing::Message() << "measure " << static_cast<int>(measure));
-      const std::vector<double> values = significance(p.axis(), measure);
-      ASSERT_EQ(values.size(), parts.size());
-      for (std::size_t i = 0; i < values.size(); ++i)
+    for (const MeasureTraits& traits : allMeasures())
+    {
+      SCOPED_TRACE(traits.name);
+      const std::vector<double> values = significance(p.axis(), traits.measure);
+      ASSERT_EQ(values.size(), p.parts().parts.size());
+      for (Index i = 0; i < medial::count(values); ++i)
       {
-        EXPECT_NEAR(values[i], parts[i].*value, 1e-12 * (1 + values[i])) << "part " << i;
+        EXPECT_NEAR(values[i], p.parts().value(traits.measure, i), 1e-12 * (1 + values[i]))
+          << "part " << i;
       }
-    };
-    expectValues(Measure::RelativeVolume, &MedialPart::relativeVolume);
-    expectValues(Measure::Area, &MedialPart::area);
-    expectValues(Measure::MeanRadius, &MedialPart::meanRadius);
-    expectValues(Measure::MaximumRadius, &MedialPart::maximumRadius);
+    }
   });
 }
 
-TEST(Measures, AreFoundByTheirNumbers)
+TEST(Measures, AreFoundByTheirNumbersAndNames)
 {
+  std::set<char> letters;
+  std::set<std::string> arrays;
   for (const MeasureTraits& traits : allMeasures())
   {
     EXPECT_EQ(medial::findMeasure(static_cast<int>(traits.measure)), &traits);
+    EXPECT_EQ(medial::findMeasure(traits.name), &traits);
+    EXPECT_TRUE(letters.insert(traits.letter).second) << traits.name;
+    EXPECT_TRUE(arrays.insert(traits.cellArray).second) << traits.name;
   }
   EXPECT_EQ(medial::findMeasure(-1), nullptr);
   EXPECT_EQ(medial::findMeasure(77), nullptr);
@@ -202,7 +204,7 @@ TEST(Measures, DecideInTheSchedule)
     std::sort(sorted.begin(), sorted.end());
     const double threshold = sorted[sorted.size() / 2];
     PruneOptions options;
-    options.schedule = { { traits.measure, threshold, 1 } };
+    options.schedule = { { traits.measure, threshold, 1, false } };
     options.removeHair = options.removeBranches = false;
     const Pruned pruned = medial::prune(p.axis(), options);
     EXPECT_EQ(pruned.axis.betti, p.shape.betti);
@@ -224,10 +226,10 @@ TEST(Measures, SumToTheWholeWhereTheyShare)
   forEachShape([](Pipeline& p) {
     const MedialAxis& axis = p.axis();
     double area = 0, volume = 0, sheets = 0;
-    for (const MedialPart& part : p.parts().parts)
+    for (Index i = 0; i < medial::count(p.parts().parts); ++i)
     {
-      area += part.area;
-      volume += part.relativeVolume;
+      area += p.parts().value(Measure::Area, i);
+      volume += p.parts().value(Measure::RelativeVolume, i);
     }
     for (Index cell = axis.cells.firstTriangle(); cell < axis.cells.size(); ++cell)
     {
@@ -238,7 +240,7 @@ TEST(Measures, SumToTheWholeWhereTheyShare)
   });
 }
 
-TEST(Measures, PoleVolumeCountsEveryPoleOfThePart)
+TEST(Measures, RelativePoleVolumeCountsEveryPoleOfThePart)
 {
   forEachShape([](Pipeline& p) {
     const MedialAxis& axis = p.axis();
@@ -255,14 +257,14 @@ TEST(Measures, PoleVolumeCountsEveryPoleOfThePart)
       EXPECT_GE(axis.poleVolumes[b], 0);
       EXPECT_LE(axis.poleVolumes[b], axis.ballVolumes[b] * (1 + 1e-9));
     }
-    for (std::size_t i = 0; i < poles.size(); ++i)
+    for (Index i = 0; i < medial::count(poles); ++i)
     {
       double volume = 0;
       for (const Index ball : poles[i])
       {
         volume += ball == None ? 0 : axis.poleVolumes[ball];
       }
-      EXPECT_NEAR(p.parts().parts[i].poleVolume, volume / solid, 1e-9);
+      EXPECT_NEAR(p.parts().value(Measure::RelativePoleVolume, i), volume / solid, 1e-9);
     }
   });
 }
@@ -299,9 +301,10 @@ TEST(Measures, HausdorffDistanceIsWhatABruteForceSearchFinds)
         value = std::max(value, least);
       }
     }
-    for (std::size_t i = 0; i < expected.size() && expected.size() > 1; ++i)
+    for (Index i = 0; i < medial::count(expected) && expected.size() > 1; ++i)
     {
-      EXPECT_NEAR(p.parts().parts[i].hausdorffDistance, expected[i], 1e-12) << "part " << i;
+      EXPECT_NEAR(p.parts().value(Measure::HausdorffDistance, i), expected[i], 1e-12)
+        << "part " << i;
     }
   });
 }
@@ -340,8 +343,9 @@ TEST(Measures, OfABallThatAnotherOneCoversIsNothing)
 
 TEST(Measures, ScaleWithTheAxisToTheLastBit)
 {
-  const std::map<std::string, double> exponents{ { "1", 0 }, { "degrees", 0 }, { "length", 1 },
-    { "area", 2 } };
+  const std::map<medial::Unit, double> exponents{ { medial::Unit::Count, 0 },
+    { medial::Unit::Share, 0 }, { medial::Unit::Degrees, 0 }, { medial::Unit::Length, 1 },
+    { medial::Unit::Area, 2 } };
   Pipeline& p = pipelines::of("two-hole plate");
   const MedialAxis scaled = pipelines::inUnits(p.axis(), 1024);
   for (const MeasureTraits& traits : allMeasures())
@@ -380,8 +384,8 @@ TEST(Measures, DoNotChangeWithTheOrderOfTheSamples)
   const shapes::Shape& shape = pipelines::of("box").shape;
   const MedialAxis other = medial::medialAxis(medial::polarBalls(
     shapes::reordered(shape.samples, shapes::shuffledOrder(shape.samples.size(), 3))));
-  for (const Measure measure :
-    { Measure::PoleVolume, Measure::MaximumRadius, Measure::Lambda, Measure::HausdorffDistance })
+  for (const Measure measure : { Measure::RelativePoleVolume, Measure::MaximumRadius,
+         Measure::Lambda, Measure::HausdorffDistance })
   {
     std::vector<double> before = significance(pipelines::of("box").axis(), measure);
     std::vector<double> after = significance(other, measure);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipelines.h"
 
+#include "Parts/BallShares.h"
 #include "Parts/MedialParts.h"
 
 #include <Eigen/Geometry>
@@ -120,17 +121,17 @@ TEST(MedialParts, EveryCellIsInOneOfItsDimension)
     const MedialParts& parts = p.parts();
     const medial::AxisCells& cells = p.axis().cells;
     ASSERT_EQ(medial::count(parts.partOfCell), cells.size());
-    std::vector<Index> triangles(parts.parts.size(), 0);
+    std::vector<Index> size(parts.parts.size(), 0);
     for (Index cell = 0; cell < cells.size(); ++cell)
     {
       const int dimension = cell < cells.firstEdge() ? 0 : cell < cells.firstTriangle() ? 1 : 2;
       const MedialPart& part = parts.parts.at(static_cast<std::size_t>(parts.partOfCell[cell]));
       ASSERT_EQ(part.dimension, dimension) << "cell " << cell;
-      triangles[parts.partOfCell[cell]] += dimension == 2 ? 1 : 0;
+      ++size[parts.partOfCell[cell]];
     }
-    for (std::size_t i = 0; i < parts.parts.size(); ++i)
+    for (Index i = 0; i < medial::count(parts.parts); ++i)
     {
-      EXPECT_EQ(parts.parts[i].triangles, triangles[i]);
+      EXPECT_EQ(parts.value(medial::Measure::TriangleCount, i), size[i]);
     }
   });
 }
@@ -210,11 +211,11 @@ TEST(MedialParts, RelativeVolumesSumToOne)
 {
   forEachShape([](Pipeline& p) {
     double relative = 0, absolute = 0;
-    for (const MedialPart& part : p.parts().parts)
+    for (Index i = 0; i < medial::count(p.parts().parts); ++i)
     {
-      EXPECT_GE(part.volume, 0);
-      relative += part.relativeVolume;
-      absolute += part.volume;
+      EXPECT_GE(p.parts().parts[i].volume, 0);
+      relative += p.parts().value(medial::Measure::RelativeVolume, i);
+      absolute += p.parts().parts[i].volume;
     }
     const std::vector<double>& volumes = p.axis().ballVolumes;
     EXPECT_NEAR(relative, 1, 1e-9);
@@ -278,7 +279,8 @@ TEST(MedialParts, MeasuresAreThoseOfTheirCells)
     for (Index i = 0; i < medial::count(p.parts().parts); ++i)
     {
       const MedialPart& part = p.parts().parts[i];
-      EXPECT_NEAR(part.area, areas[i], 1e-9 * p.diagonal * p.diagonal);
+      EXPECT_NEAR(
+        p.parts().value(medial::Measure::Area, i), areas[i], 1e-9 * p.diagonal * p.diagonal);
       const std::set<Index> points = pointsOfPart(axis, p.parts(), i);
       Point lower = axis.points[*points.begin()], upper = lower;
       double least = INFINITY, most = 0, sum = 0;
@@ -293,8 +295,9 @@ TEST(MedialParts, MeasuresAreThoseOfTheirCells)
       EXPECT_EQ(part.lower, lower);
       EXPECT_EQ(part.upper, upper);
       EXPECT_EQ(part.minimumRadius, least);
-      EXPECT_EQ(part.maximumRadius, most);
-      EXPECT_NEAR(part.meanRadius, sum / points.size(), 1e-9 * p.diagonal);
+      EXPECT_EQ(p.parts().value(medial::Measure::MaximumRadius, i), most);
+      EXPECT_NEAR(
+        p.parts().value(medial::Measure::MeanRadius, i), sum / points.size(), 1e-9 * p.diagonal);
     }
   });
 }
@@ -349,13 +352,13 @@ TEST(MedialParts, OfFigure7LeftMeetAlongOneCurve)
   const MedialAxis axis = complexes::cycleWithoutLoop().axis();
   const MedialParts parts = medial::decompose(axis);
   ASSERT_EQ(parts.parts.size(), 3u);
-  for (const MedialPart& part : parts.parts)
+  for (Index i = 0; i < 3; ++i)
   {
-    EXPECT_EQ(part.level, 1);
-    EXPECT_EQ(part.triangles, 18);
-    EXPECT_EQ(part.contacts, 1);
+    EXPECT_EQ(parts.parts[i].level, 1);
+    EXPECT_EQ(parts.value(medial::Measure::TriangleCount, i), 18);
+    EXPECT_EQ(parts.parts[i].contacts, 1);
   }
-  EXPECT_NEAR(parts.parts[0].area, 9, 1e-12);
+  EXPECT_NEAR(parts.value(medial::Measure::Area, 0), 9, 1e-12);
   ASSERT_EQ(parts.contacts.size(), 1u);
   EXPECT_EQ(parts.contacts[0].parts, (std::vector<Index>{ 0, 1, 2 }));
   EXPECT_EQ(parts.contacts[0].points.size(), 4u);
@@ -469,7 +472,7 @@ TEST(MedialParts, OfAClosedSheetHaveNoLevel)
   const MedialParts parts = medial::decompose(closedSheet().axis());
   ASSERT_EQ(parts.parts.size(), 1u);
   EXPECT_EQ(parts.parts[0].level, 0);
-  EXPECT_NEAR(parts.parts[0].area, 54, 1e-9);
+  EXPECT_NEAR(parts.value(medial::Measure::Area, 0), 54, 1e-9);
   EXPECT_TRUE(parts.contacts.empty());
 }
 
@@ -509,10 +512,13 @@ TEST(MedialParts, MayBeChainsOfEdgesAndSinglePoints)
   EXPECT_EQ(parts.parts[1].dimension, 1);
   EXPECT_EQ(parts.parts[2].dimension, 0);
   EXPECT_EQ(parts.partOfCell, (std::vector<Index>{ 2, 1, 1, 0, 0 }));
+  EXPECT_EQ(parts.value(medial::Measure::TriangleCount, 0), 2);
+  EXPECT_EQ(parts.value(medial::Measure::TriangleCount, 1), 2);
+  EXPECT_EQ(parts.value(medial::Measure::TriangleCount, 2), 1);
   double sum = 0;
-  for (const MedialPart& part : parts.parts)
+  for (Index i = 0; i < 3; ++i)
   {
-    sum += part.relativeVolume;
+    sum += parts.value(medial::Measure::RelativeVolume, i);
   }
   EXPECT_NEAR(sum, 1, 1e-12);
 }

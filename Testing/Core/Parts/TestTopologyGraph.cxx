@@ -23,7 +23,8 @@ namespace
 TopologyGraph graphOf(const Drawing& drawing)
 {
   const MedialAxis axis = drawing.axis();
-  return medial::topologyGraph(axis, medial::decompose(axis));
+  const MedialParts parts = medial::decompose(axis);
+  return medial::topologyGraph(parts.contacts, medial::count(parts.parts), axis.points);
 }
 
 std::vector<Index> listed(IndexLists::View list)
@@ -78,7 +79,8 @@ bool isOnLoop(const TopologyGraph& graph, Index part)
 
 void expectConsistent(const MedialAxis& axis, const MedialParts& parts)
 {
-  const TopologyGraph graph = medial::topologyGraph(axis, parts);
+  const TopologyGraph graph =
+    medial::topologyGraph(parts.contacts, medial::count(parts.parts), axis.points);
   ASSERT_EQ(graph.nodesOfPart.size(), medial::count(parts.parts));
   ASSERT_EQ(graph.nodeCentroids.size(), static_cast<std::size_t>(graph.partsOfNode.size()));
   for (std::size_t a = 0; a < parts.contacts.size(); ++a)

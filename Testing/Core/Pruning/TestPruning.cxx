@@ -508,9 +508,9 @@ TEST(Pruning, RemovesSmallPartsOnly)
     const Pruned pruned = medial::prune(p.axis(), options);
     for (const Index cell : removedTriangles(p.axis(), pruned))
     {
-      const medial::MedialPart& part = p.parts().parts[p.parts().partOfCell[cell]];
-      EXPECT_LE(part.triangles, 5);
-      EXPECT_EQ(part.level, 1);
+      const Index part = p.parts().partOfCell[cell];
+      EXPECT_LE(p.parts().value(Measure::TriangleCount, part), 5);
+      EXPECT_EQ(p.parts().parts[part].level, 1);
     }
   });
 }
@@ -529,8 +529,9 @@ TEST(Pruning, WithoutTopologyRemovesAllSmallPartsOfLevelOne)
       std::set<Index> expected;
       for (Index cell = p.axis().cells.firstTriangle(); cell < p.axis().cells.size(); ++cell)
       {
-        const medial::MedialPart& part = p.parts().parts[p.parts().partOfCell[cell]];
-        if (part.level == 1 && part.triangles <= threshold)
+        const Index part = p.parts().partOfCell[cell];
+        if (p.parts().parts[part].level == 1 &&
+          p.parts().value(Measure::TriangleCount, part) <= threshold)
         {
           expected.insert(cell);
         }
@@ -636,12 +637,13 @@ TEST(Pruning, ByHandTakesAPartHoweverSignificant)
 {
   Pipeline& p = pipelines::of("box");
   const Pruned slivers = medial::prune(p.axis(), once(Measure::TriangleCount, 5));
+  const auto triangles = [&slivers](Index part) {
+    return slivers.parts.value(Measure::TriangleCount, part);
+  };
   Index largest = 0;
   for (Index i = 0; i < medial::count(slivers.parts.parts); ++i)
   {
-    const medial::MedialPart& part = slivers.parts.parts[i];
-    largest =
-      part.level == 1 && part.triangles > slivers.parts.parts[largest].triangles ? i : largest;
+    largest = slivers.parts.parts[i].level == 1 && triangles(i) > triangles(largest) ? i : largest;
   }
   const Index cell = firstTriangleOf(slivers.axis, slivers.parts, largest);
   const Pruned pruned = medial::prune(slivers.axis, byHand({ cell }));
@@ -650,7 +652,7 @@ TEST(Pruning, ByHandTakesAPartHoweverSignificant)
   EXPECT_EQ(pruned.removedPart[cell], largest);
   EXPECT_EQ(
     medial::count(slivers.axis.cells.triangles) - medial::count(pruned.axis.cells.triangles),
-    slivers.parts.parts[largest].triangles);
+    triangles(largest));
 }
 
 TEST(Pruning, ByHandTakesAnEarAndNothingElse)
@@ -753,9 +755,9 @@ TEST(Pruning, LeavesTheMiddleOfABoxAsLevelTwo)
     {
       // The rectangle in the middle: 2 x 1, flat, radius 0.5.
       ++middles;
-      EXPECT_NEAR(part.area, 2, 0.2);
+      EXPECT_NEAR(pruned.parts.value(Measure::Area, i), 2, 0.2);
       EXPECT_LT(std::max(-part.lower.z(), part.upper.z()), 0.05);
-      EXPECT_NEAR(part.meanRadius, 0.5, 0.02);
+      EXPECT_NEAR(pruned.parts.value(Measure::MeanRadius, i), 0.5, 0.02);
     }
   }
   EXPECT_EQ(middles, 1);
@@ -954,7 +956,8 @@ TEST(Pruning, KeepReasonsTellTheThreshold)
       if (part.dimension == 2)
       {
         EXPECT_TRUE(pruned.keepReason[i] != KeepReason::InnerLevel || part.level != 1);
-        EXPECT_TRUE(pruned.keepReason[i] != KeepReason::Topology || part.triangles <= 5);
+        EXPECT_TRUE(pruned.keepReason[i] != KeepReason::Topology ||
+          pruned.parts.value(Measure::TriangleCount, static_cast<Index>(i)) <= 5);
       }
     }
   });
@@ -1056,7 +1059,8 @@ TEST(Pruning, AgainIsAsForTheFirstTime)
       options.schedule.resize(random() % (options.schedule.size() + 1));
       for (unsigned j = 0; j < 1 + random() % 2; ++j)
       {
-        const Measure measure = medial::allMeasures()[random() % 10].measure;
+        const Measure measure =
+          medial::allMeasures()[random() % medial::allMeasures().size()].measure;
         options.schedule.push_back({ measure, random() % 4 * 0.6, static_cast<int>(random() % 3) });
       }
       options.cellsToRemove.assign(random() % 2, static_cast<Index>(random() % axis.cells.size()));

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_BallShares_h
+#define medial_BallShares_h
+
+#include "Axis/MedialAxis.h"
+#include "Base/Lists.h"
+#include "Base/Types.h"
+#include "Parts/LivingCells.h"
+
+#include <vector>
+
+/// Which part holds which polar ball. An inner ball that is not on the axis follows its owner there.
+namespace medial
+{
+/// The one part that each polar ball counts for: of the parts at its medial point the one with most
+/// cells there, the first of several. So every volume is counted once. A ball off the axis counts for
+/// the part of its owner. None where the owner is no longer on the axis.
+/// @param partOfCell    for each cell of the axis, or None
+/// @param cellsOfPoint  of the axis
+std::vector<Index> partOfBall(
+  const MedialAxis& axis, const std::vector<Index>& partOfCell, const IndexLists& cellsOfPoint);
+
+/// The same; finds the cells of each point.
+std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell);
+
+/// For each polar ball: does it, or its owner, lie on a point that a cell of the axis uses? After
+/// pruning these are the balls that make the surface (paper 5).
+std::vector<char> keptBalls(const MedialAxis& axis);
+
+/// The same where only the living cells of the axis count.
+std::vector<char> keptBalls(const MedialAxis& axis, const LivingCells& living);
+}
+
+#endif

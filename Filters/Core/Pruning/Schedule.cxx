@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pruning/Schedule.h"
+
+#include "Base/Errors.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace medial
+{
+namespace
+{
+/// The words between blanks, line ends and commas.
+std::vector<std::string> split(const std::string& text)
+{
+  constexpr const char* separators = " \t\r\n,";
+  std::vector<std::string> words;
+  std::size_t begin = text.find_first_not_of(separators);
+  while (begin != std::string::npos)
+  {
+    const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = text.find_first_not_of(separators, end);
+  }
+  return words;
+}
+
+/// What is wrong with a word.
+struct Fault
+{
+  std::string text;
+};
+
+/// A plain decimal number, digits with at most one point, divided by 100 for per cents. Does not depend
+/// on the locale, and is rounded only once.
+double parseDecimal(const std::string& digits, bool isPercent)
+{
+  const bool isPlain = !digits.empty() &&
+    digits.find_first_not_of("0123456789.") == std::string::npos &&
+    std::count(digits.begin(), digits.end(), '.') <= 1 && digits != ".";
+  const std::string number = (digits.front() == '.' ? "0" : "") + digits + (isPercent ? "e-2" : "");
+  double value = 0;
+  const auto [end, error] = std::from_chars(
+    number.data(), number.data() + number.size(), value, std::chars_format::general);
+  if (!isPlain || error != std::errc() || end != number.data() + number.size() ||
+    !std::isfinite(value))
+  {
+    throw Fault{ "'" + digits + "' is not a number" };
+  }
+  return value;
+}
+
+/// The number of passes after an x at the end of a word, which is cut off; 0 without.
+int takePasses(std::string& word)
+{
+  const std::size_t place = word.find('x', 1);
+  if (place == std::string::npos)
+  {
+    return 0;
+  }
+  const std::string digits = word.substr(place + 1);
+  int passes = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), passes);
+  if (error != std::errc() || end != digits.data() + digits.size() || passes < 1)
+  {
+    throw Fault{ "after x comes a number of passes, as in t5x1" };
+  }
+  word.resize(place);
+  return passes;
+}
+
+const MeasureTraits& measureOf(char letter)
+{
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    if (traits.letter == letter)
+    {
+      return traits;
+    }
+  }
+  throw Fault{ std::string("no measure has the letter ") + letter };
+}
+
+PruneIteration parseWord(std::string word)
+{
+  PruneIteration result;
+  result.passes = takePasses(word);
+  const MeasureTraits& traits = measureOf(word.front());
+  const bool isPercent = word.back() == '%';
+  const std::string digits = word.substr(1, word.size() - (isPercent ? 2 : 1));
+  if (digits.empty())
+  {
+    throw Fault{ "there is no threshold" };
+  }
+  if (traits.unit == Unit::Share && !isPercent)
+  {
+    throw Fault{ "a share of the volume is written in per cent" };
+  }
+  if (isPercent && traits.unit != Unit::Share && traits.unit != Unit::Length)
+  {
+    throw Fault{ std::string("a threshold of the unit ") + unitName(traits.unit) +
+      " is not written in per cent" };
+  }
+  result.measure = traits.measure;
+  result.threshold = parseDecimal(digits, isPercent);
+  result.ofDiagonal = isPercent && traits.unit == Unit::Length;
+  if (traits.unit == Unit::Count && digits.find('.') != std::string::npos)
+  {
+    throw Fault{ "a count is a whole number" };
+  }
+  if (traits.unit == Unit::Share && result.threshold > 1)
+  {
+    throw Fault{ "there is no more than 100% of the volume" };
+  }
+  return result;
+}
+
+/// The shortest plain decimal number that parseDecimal reads as this value.
+std::string plainDecimal(double value, bool isPercent)
+{
+  if (!std::isfinite(value) || value == 0)
+  {
+    return value == 0 ? "0" : std::to_string(value);
+  }
+  char buffer[64];
+  const auto end =
+    std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
+  const std::string text(buffer, end); // d.ddde+dd
+  const std::size_t e = text.find('e');
+  std::string digits = text.substr(0, e);
+  digits.erase(std::remove(digits.begin(), digits.end(), '.'), digits.end());
+  // The point is behind so many digits.
+  const int point = std::atoi(text.c_str() + e + 1) + 1 + (isPercent ? 2 : 0);
+  if (point <= 0)
+  {
+    return "0." + std::string(-point, '0') + digits;
+  }
+  const auto length = static_cast<int>(digits.size());
+  return point >= length ? digits + std::string(point - length, '0')
+                         : digits.substr(0, point) + "." + digits.substr(point);
+}
+}
+
+bool operator==(const PruneIteration& a, const PruneIteration& b)
+{
+  return a.measure == b.measure && a.threshold == b.threshold && a.passes == b.passes &&
+    a.ofDiagonal == b.ofDiagonal;
+}
+
+std::vector<PruneIteration> parseSchedule(const std::string& words)
+{
+  std::vector<PruneIteration> schedule;
+  for (const std::string& word : split(words))
+  {
+    try
+    {
+      schedule.push_back(parseWord(word));
+    }
+    catch (const Fault& fault)
+    {
+      std::string patterns;
+      for (const MeasureTraits& traits : allMeasures())
+      {
+        patterns += (patterns.empty() ? "" : ", ") + wordPattern(traits);
+      }
+      throw InvalidInput("word ", schedule.size() + 1, " of the schedule, '", word,
+        "', is not an iteration: ", fault.text, "; words are ", patterns, ", as in \"t5 t5 v1%\"");
+    }
+  }
+  return schedule;
+}
+
+std::string scheduleWord(const PruneIteration& iteration)
+{
+  const MeasureTraits& traits = traitsOf(iteration.measure);
+  const bool isPercent = traits.unit == Unit::Share || iteration.ofDiagonal;
+  // A part with at most 2.5 triangles has at most 2.
+  const double threshold =
+    traits.unit == Unit::Count ? std::floor(iteration.threshold) : iteration.threshold;
+  return traits.letter + plainDecimal(threshold, isPercent) + (isPercent ? "%" : "") +
+    (iteration.passes > 0 ? "x" + std::to_string(iteration.passes) : "");
+}
+
+std::string scheduleWords(const std::vector<PruneIteration>& schedule)
+{
+  std::string words;
+  for (const PruneIteration& iteration : schedule)
+  {
+    words += (words.empty() ? "" : " ") + scheduleWord(iteration);
+  }
+  return words;
+}
+
+std::string wordPattern(const MeasureTraits& traits)
+{
+  return traits.letter +
+    std::string(traits.unit == Unit::Count ? "N"
+        : traits.unit == Unit::Share       ? "P%"
+                                           : "X");
+}
+}

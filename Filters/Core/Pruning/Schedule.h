@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_Schedule_h
+#define medial_Schedule_h
+
+#include "Base/Types.h"
+#include "Parts/Measures.h"
+
+#include <string>
+#include <vector>
+
+/// A schedule is the list of iterations that pruning works through. In words: "t5 t5 v1%".
+namespace medial
+{
+/// One round of decompose - measure - prune.
+///
+/// Unlike the paper, passes are repeated. So that a long feature isn't eaten up from its end by small
+/// pieces, a removed part's significance passes to its neighbour: all that is removed at one place in
+/// one iteration has together at most the threshold, where the measure adds up. With one pass, or
+/// without topology, each part counts alone, as in the paper.
+struct PruneIteration
+{
+  Measure measure = Measure::TriangleCount;
+  double threshold = 5; ///< parts with at most this significance go
+  int passes = 0;       ///< how often to repeat; 0: until nothing changes (the paper: 1)
+  bool ofDiagonal =
+    false; ///< the threshold is a share of the diagonal of the samples' bounding box
+};
+
+bool operator==(const PruneIteration& a, const PruneIteration& b);
+
+/// Reads a schedule in words, separated by blanks or commas; no words: no iterations.
+///
+/// A word is the letter of a measure, a number, and for some measures a %: t5 (at most 5 triangles),
+/// v1% (at most one per cent of the volume), r2 (a length in the unit of the samples), r2% (in per cent
+/// of the diagonal of the samples' bounding box). It may end with the number of passes: t5x1 for one
+/// pass, as in the paper; without, passes are repeated until nothing changes.
+/// @throw InvalidInput  which word is wrong, what is wrong with it, and how to write it
+std::vector<PruneIteration> parseSchedule(const std::string& words);
+
+/// The inverse of parseSchedule: reading its result gives the same schedule, thresholds to the last bit
+/// (those of counts rounded down, which removes the same parts).
+/// @param schedule  valid: thresholds >= 0, shares <= 1
+std::string scheduleWords(const std::vector<PruneIteration>& schedule);
+
+/// The word of one iteration.
+std::string scheduleWord(const PruneIteration& iteration);
+
+/// How the words of a measure are written: tN, vP%, rX.
+std::string wordPattern(const MeasureTraits& traits);
+}
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Errors.h"
+#include "Pruning/Schedule.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+using medial::allMeasures;
+using medial::Measure;
+using medial::MeasureTraits;
+using medial::parseSchedule;
+using medial::PruneIteration;
+using medial::scheduleWords;
+using medial::Unit;
+
+namespace
+{
+using Schedule = std::vector<PruneIteration>;
+
+/// What is said about words that can't be read.
+std::string refusal(const std::string& words)
+{
+  try
+  {
+    parseSchedule(words);
+  }
+  catch (const medial::InvalidInput& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+}
+
+TEST(Schedule, IsReadWordByWord)
+{
+  EXPECT_EQ(parseSchedule("t5 t5 v1%"),
+    (Schedule{ { Measure::TriangleCount, 5, 0, false }, { Measure::TriangleCount, 5, 0, false },
+      { Measure::RelativeVolume, 0.01, 0, false } }));
+  EXPECT_EQ(parseSchedule(" t5,\tr2%\n r0.25x3, "),
+    (Schedule{ { Measure::TriangleCount, 5, 0, false }, { Measure::MaximumRadius, 0.02, 0, true },
+      { Measure::MaximumRadius, 0.25, 3, false } }));
+  EXPECT_EQ(parseSchedule("v100% v0% a.5 o180"),
+    (Schedule{ { Measure::RelativeVolume, 1, 0, false }, { Measure::RelativeVolume, 0, 0, false },
+      { Measure::Area, 0.5, 0, false }, { Measure::ObjectAngle, 180, 0, false } }));
+  EXPECT_TRUE(parseSchedule("").empty());
+  EXPECT_TRUE(parseSchedule(" , ").empty());
+}
+
+TEST(Schedule, RoundsAPercentageOnce)
+{
+  EXPECT_EQ(parseSchedule("v0.1%")[0].threshold, 0.001);
+  EXPECT_EQ(parseSchedule("v0.07%")[0].threshold, 0.0007);
+  EXPECT_EQ(parseSchedule("v29%")[0].threshold, 0.29);
+}
+
+TEST(Schedule, IsWrittenInTheShortestWords)
+{
+  EXPECT_EQ(scheduleWords(parseSchedule("t5 t5 v1%")), "t5 t5 v1%");
+  EXPECT_EQ(scheduleWords(parseSchedule("t005 v1.0% r2.50%x1 e.125")), "t5 v1% r2.5%x1 e0.125");
+  EXPECT_EQ(scheduleWords({ { Measure::Area, 1e-7, 0, false } }), "a0.0000001");
+  EXPECT_EQ(scheduleWords({ { Measure::Area, 1e21, 0, false } }), "a1" + std::string(21, '0'));
+  EXPECT_EQ(scheduleWords({ { Measure::TriangleCount, 2.5, 0, false } }), "t2");
+  EXPECT_EQ(scheduleWords({}), "");
+}
+
+TEST(Schedule, IsTheSameAfterItWasWrittenAndRead)
+{
+  const unsigned seed = 17;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  std::mt19937 random(seed);
+  const auto any = [&random] { return std::ldexp(random() / 4294967296.0, random() % 60 - 30); };
+  Schedule schedule;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const MeasureTraits& traits = allMeasures()[random() % allMeasures().size()];
+    PruneIteration iteration{ traits.measure, any(), static_cast<int>(random() % 3), false };
+    iteration.ofDiagonal = traits.unit == Unit::Length && random() % 2 == 0;
+    if (traits.unit == Unit::Count)
+    {
+      iteration.threshold = std::floor(iteration.threshold);
+    }
+    if (traits.unit == Unit::Share)
+    {
+      iteration.threshold = random() / 4294967296.0;
+    }
+    schedule.push_back(iteration);
+  }
+  EXPECT_EQ(parseSchedule(scheduleWords(schedule)), schedule);
+}
+
+TEST(Schedule, HasAWordForEveryMeasure)
+{
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    const std::string pattern = medial::wordPattern(traits);
+    const bool isShare = traits.unit == Unit::Share;
+    const Schedule read = parseSchedule(pattern.substr(0, 1) + "1" + (isShare ? "%" : ""));
+    ASSERT_EQ(read.size(), 1u) << traits.name;
+    EXPECT_EQ(read[0].measure, traits.measure);
+    EXPECT_EQ(read[0].threshold, isShare ? 0.01 : 1);
+  }
+}
+
+TEST(Schedule, PointsAtTheWordThatIsWrong)
+{
+  const std::string text = refusal("t5 x3 v1%");
+  EXPECT_TRUE(contains(text, "word 2 of the schedule, 'x3'")) << text;
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    EXPECT_TRUE(contains(text, medial::wordPattern(traits))) << text;
+  }
+  EXPECT_TRUE(contains(text, "no measure has the letter x")) << text;
+  EXPECT_TRUE(contains(refusal("v0.01"), "written in per cent"));
+  EXPECT_TRUE(contains(refusal("v101%"), "no more than 100%"));
+  EXPECT_TRUE(contains(refusal("t1.5"), "whole number"));
+  EXPECT_TRUE(contains(refusal("t5%"), "the unit count is not written in per cent"));
+  EXPECT_TRUE(contains(refusal("a1%"), "the unit area is not written in per cent"));
+  EXPECT_TRUE(contains(refusal("t"), "no threshold"));
+  EXPECT_TRUE(contains(refusal("t5x"), "number of passes"));
+  EXPECT_TRUE(contains(refusal("t5x0"), "number of passes"));
+}
+
+TEST(Schedule, RefusesWhatIsNoPlainNumber)
+{
+  for (const char* word : { "t-1", "v1e1%", "v1%%", "v%", "r", "r-1", "r1.2.3", "r.", "rnan",
+         "rinf", "t5x-1", "t5x1.5", "T5", "5t", "%", "t5x2147483648" })
+  {
+    EXPECT_TRUE(contains(refusal(word), "'" + std::string(word) + "'")) << word;
+  }
+}
