@@ -86,7 +86,8 @@ public:
     OBJECT_ANGLE = 6,         ///< mean angle at which a cell sees its two sites; 0 ... 180 degrees
     LAMBDA = 7,               ///< largest distance of two sites of a cell; length
     EROSION_THICKNESS = 8,    ///< burn time minus radius; length
-    HAUSDORFF_DISTANCE = 9    ///< how far the solid recedes, at most; length
+    HAUSDORFF_DISTANCE = 9,   ///< how far the solid recedes, at most; length
+    BOUNDARY_LENGTH = 10      ///< of its free border; length
   };
 
   ///@{

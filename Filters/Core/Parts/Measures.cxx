@@ -223,6 +223,27 @@ Values hausdorffDistances(
   });
   return result;
 }
+
+Values boundaryLengths(const PartMeasures& measures, const Partition& partition, const Execution&)
+{
+  Values result(partition.cells.size(), 0);
+  for (Index e = 0; e < measures.edges.triangles.size(); ++e)
+  {
+    Index triangles = 0, last = None;
+    for (const Index t : measures.edges.triangles[e])
+    {
+      const Index part = partition.partOfCell[measures.axis.cells.firstTriangle() + t];
+      triangles += part != None;
+      last = part != None ? part : last;
+    }
+    if (triangles == 1)
+    {
+      const Edge& ends = measures.edges.points[e];
+      result[last] += (measures.axis.points[ends[1]] - measures.axis.points[ends[0]]).norm();
+    }
+  }
+  return result;
+}
 }
 
 const std::vector<MeasureTraits>& allMeasures()
@@ -248,6 +269,8 @@ const std::vector<MeasureTraits>& allMeasures()
       false, "[YSC16]", "as erosion thickness", erosionThicknesses },
     { Measure::HausdorffDistance, "HausdorffDistance", "PartHausdorffDistance", 'h', Unit::Length,
       true, "", "as Hausdorff distance: how far the solid recedes", hausdorffDistances },
+    { Measure::BoundaryLength, "BoundaryLength", "PartBoundaryLength", 'b', Unit::Length, true, "",
+      "as length of the free border", boundaryLengths },
   };
   return all;
 }

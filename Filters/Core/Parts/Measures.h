@@ -56,7 +56,11 @@ enum class Measure
   /// largest, over the balls that only this part holds, of the least, over the other balls, of
   /// distance + radius - other radius, if above 0. Exact where one ball covers best, else an upper
   /// bound. The diagonal of the balls' bounding box for a part that holds all balls.
-  HausdorffDistance = 9
+  HausdorffDistance = 9,
+
+  /// Length of the part's free border: of its edges that are in one triangle of the axis. 0 for lines
+  /// and vertices, and for a part that is not at the border.
+  BoundaryLength = 10
 };
 
 /// What a measure counts, and with it how its thresholds are written in a schedule.
