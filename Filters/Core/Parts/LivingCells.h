@@ -13,13 +13,19 @@
 
 namespace medial
 {
-/// The cells of an axis that are still there, and what its edges and points see of them.
+/// The cells of an axis that are still there, and how many of them each edge and point has.
+///
+/// Cells are joined into groups with union-find; the groups are the parts. Removing cells only ever
+/// joins groups: where an edge comes down from three triangles to two, these two now belong together.
+/// So remove() notes such edges and points, and join() looks at these alone. All removals together cost
+/// about linear time in the number of cells, however many rounds of pruning there are.
 class LivingCells
 {
 public:
-  /// All cells live.
+  /// In the beginning all cells live.
   /// @param axisCells, axisEdges  must outlive this
-  /// @param bodies                of the cells, which no group crosses, see Necks.h; empty: one
+  /// @param bodies                for each cell its body, see Necks.h: cells of two bodies are never
+  ///                              joined; empty: there is one body
   LivingCells(
     const AxisCells& axisCells, const AxisEdges& axisEdges, std::vector<Index> bodies = {});
 
@@ -32,21 +38,23 @@ public:
   /// Points - edges + triangles of the living cells and their faces.
   Index eulerCharacteristic() const { return this->euler; }
 
-  /// How many live at an edge, at a point.
+  /// How many living triangles has an edge, how many living cells a point?
   Index trianglesAtEdge(Index edge) const { return this->atEdge[edge]; }
   Index cellsAtPoint(Index point) const { return this->atPoint[point]; }
 
-  /// Do groups touch there: three triangles or more, or two of different bodies?
+  /// Do parts touch along an edge? They do where it has three living triangles or more, or two of
+  /// different bodies.
   bool isContact(Index edge) const;
 
-  /// For each point that had cells in the beginning those, ascending.
+  /// For each point the cells that it had in the beginning, ascending.
   const IndexLists& cellsOfPoint() const { return *this->ofPoint; }
 
   /// @param removed  whole groups
   void remove(const std::vector<Index>& removed);
 
-  /// Joins what has come together since the last time. Groups make the parts (paper 4.1): triangles
-  /// joined over edges with exactly two, dangling edges over points with two and nothing else.
+  /// Joins what belongs together since cells were removed. The groups are the parts (paper 4.1):
+  /// triangles are joined over edges with exactly two, dangling edges over points with two and nothing
+  /// else.
   void join();
 
   /// The lowest cell of the group.
@@ -67,7 +75,7 @@ private:
   std::vector<Index> usesOfEdge;             ///< by triangles and dangling edges
   std::shared_ptr<const IndexLists> ofPoint; ///< copies share it
   DisjointSets groups;
-  std::vector<Index> changedEdges, changedPoints; ///< may have come down to two since join()
+  std::vector<Index> changedEdges, changedPoints; ///< came down to two cells since the last join()
 };
 
 /// For each point up to the last that cells use those, ascending.

@@ -18,7 +18,8 @@ namespace medial
 {
 namespace
 {
-/// Of the cells of a part by size; where they have none, the mean of their corners.
+/// The mean of a part's cells, weighted by their sizes; unweighted where all sizes are 0.
+/// @param corners  of each cell
 Point centroid(const PartMeasures& measures, IndexLists::View cells, int corners)
 {
   const MedialAxis& axis = measures.axis;
@@ -172,7 +173,7 @@ MedialParts decompose(const LivingCells& living, const Partition& partition,
   result.partOfCell = partition.partOfCell;
   result.parts.resize(partition.dimension.size());
   result.values.resize(allMeasures().size());
-  // All at once, the longest first.
+  // Contacts, measures and parts don't depend on each other: all at once, the longest first.
   const Index partCount = count(result.parts), measureCount = count(result.values);
   execution.forEach(1 + measureCount + partCount, [&](Index task) {
     if (task == 0)

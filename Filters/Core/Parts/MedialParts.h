@@ -15,8 +15,8 @@
 
 namespace medial
 {
-/// A connected group of triangles, grown over edges with exactly two triangles; or one dangling
-/// chain of edges; or a single vertex (paper 4.1).
+/// A part of the axis (paper 4.1): a connected group of triangles, grown over edges with exactly two
+/// triangles; or one dangling chain of edges; or a single vertex.
 struct MedialPart
 {
   int dimension; ///< 2: triangles, 1: edges, 0: a vertex
@@ -51,18 +51,17 @@ struct MedialParts
   }
 };
 
-/// The parts of an axis and their levels.
-///
-/// Every ball is counted in one part, so the relative volumes sum to 1.
+/// The parts of an axis, their levels and measures. Every ball counts for one part, so that the relative
+/// volumes sum to 1.
 /// @param maximumLevel  parts above it get level 0; 0 or less: no limit
-/// @param neckRatio     parts are cut at necks, too, see Necks.h; 0: they aren't
+/// @param neckRatio     parts are also cut at necks, see Necks.h; 0: they aren't
 MedialParts decompose(const MedialAxis& axis, int maximumLevel = 0, const Execution& execution = {},
   double neckRatio = 0);
 
-/// The same of the living cells of an axis alone; the others are in no part.
+/// The same for the living cells of an axis alone; the others are in no part.
 /// @param partition  of these cells
 /// @param measures   of this axis
-/// @param bodies     that bound the parts; none: nothing does
+/// @param bodies     which no part crosses; empty: there is one body
 MedialParts decompose(const LivingCells& living, const Partition& partition,
   const PartMeasures& measures, const Execution& execution = {}, const Bodies& bodies = {});
 }

@@ -85,8 +85,8 @@ void findBorder(const LivingCells& living, Partition& result)
   }
 }
 
-/// Calls body(cell) for what a level spreads to: over contacts, and from
-/// any part to the dangling edges at its points.
+/// Calls body(cell) for the cells that a level spreads to from a cell: over contact edges, and from any
+/// part to the dangling edges at its points.
 template <typename Body>
 void forInwardNeighbors(const LivingCells& living, Index cell, const Body& body)
 {
@@ -116,6 +116,7 @@ void forInwardNeighbors(const LivingCells& living, Index cell, const Body& body)
   forFaces(cells, living.edges, cell, overEdge, toDangling);
 }
 
+/// A breadth-first search inwards from the parts of level 1 (paper 4.1). Linear in the number of cells.
 void spreadLevels(const LivingCells& living, int maximumLevel, Partition& result)
 {
   std::vector<Index> current;

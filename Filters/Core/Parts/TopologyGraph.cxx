@@ -101,7 +101,9 @@ Walk breadthFirst(Index size, const Neighbors& neighbors)
   return walk;
 }
 
-/// Every edge beside the walk's tree closes a loop through the two ways up to where they meet.
+/// Which nodes and parts are on a loop. An edge that is not in the breadth-first tree closes a loop:
+/// from its two ends up the tree to where the two ways meet. What has been marked once is climbed over
+/// with union-find, so that the cost is about linear in the size of the graph.
 std::vector<char> onLoop(const IndexLists& partsOfNode, const IndexLists& nodesOfPart)
 {
   const Index nodes = partsOfNode.size();

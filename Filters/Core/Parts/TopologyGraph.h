@@ -10,9 +10,9 @@
 
 namespace medial
 {
-/// Which parts hang together where (paper 4.3, Figures 7 to 9). Its nodes are groups of contacts
-/// connected through shared points. Its edges are the parts; each joins the nodes that it touches,
-/// which may be none, one, two or more.
+/// Which parts are connected, and where (paper 4.3, Figures 7 to 9). Its nodes are groups of contact
+/// curves that share points. Its edges are the parts; each joins the nodes that it touches, which may be
+/// none, one, two or more.
 struct TopologyGraph
 {
   std::vector<Index> nodeOfContact; ///< None where fewer than two parts are left
