@@ -5,6 +5,7 @@
 #include "Base/Lists.h"
 #include "Base/Types.h"
 
+#include <algorithm>
 #include <vector>
 
 /// Checks of what the library makes, written apart from it: other algorithms, no shared code but
@@ -20,6 +21,12 @@ using medial::None;
 using medial::Point;
 using medial::Tetrahedron;
 using medial::Triangle;
+
+/// The edge with its lower corner first.
+inline Edge undirected(Index a, Index b)
+{
+  return { std::min(a, b), std::max(a, b) };
+}
 
 // Complexes.
 
