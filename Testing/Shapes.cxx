@@ -1,137 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shapes.h"
 
-#include "Validators.h"
-
-#include <Eigen/Geometry>
+#include "PoissonDisk.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <numeric>
-#include <random>
 #include <utility>
 
 namespace shapes
 {
 namespace
 {
-using Random = std::mt19937;
 using Distance = std::function<double(const Point&)>;
 using Projection = std::function<Point(const Point&)>;
-using Draw = std::function<Point(Random&)>;
 
 constexpr double pi = 3.14159265358979323846;
-
-// std::uniform_real_distribution differs between standard libraries; the samples shall not.
-double uniform(Random& random, double from, double to)
-{
-  return from + (to - from) * (static_cast<double>(random()) / 4294967296.0);
-}
-
-Point uniformInBox(Random& random, const Point& corner)
-{
-  Point result;
-  for (int k = 0; k < 3; ++k)
-  {
-    result[k] = uniform(random, -corner[k], corner[k]);
-  }
-  return result;
-}
-
-Point direction(Random& random)
-{
-  while (true)
-  {
-    const Point p = uniformInBox(random, Point(1, 1, 1));
-    if (p.norm() <= 1 && p.norm() > 0.1)
-    {
-      return p.normalized();
-    }
-  }
-}
-
-/// Accepted points in cubes as wide as the spacing.
-class Darts
-{
-public:
-  explicit Darts(double theSpacing)
-    : spacing(theSpacing)
-  {
-  }
-
-  bool isFree(const Point& point) const
-  {
-    const Cube centre = this->cube(point);
-    for (int i = 0; i < 27; ++i)
-    {
-      const auto found = this->cubes.find(
-        { centre[0] + i % 3 - 1, centre[1] + i / 3 % 3 - 1, centre[2] + i / 9 - 1 });
-      if (found == this->cubes.end())
-      {
-        continue;
-      }
-      for (const std::size_t other : found->second)
-      {
-        if ((this->points[other] - point).norm() < this->spacing)
-        {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
-  void add(const Point& point)
-  {
-    this->cubes[this->cube(point)].push_back(this->points.size());
-    this->points.push_back(point);
-  }
-
-  std::vector<Point> points;
-
-private:
-  using Cube = std::array<int, 3>;
-
-  Cube cube(const Point& point) const
-  {
-    Cube result;
-    for (int k = 0; k < 3; ++k)
-    {
-      result[k] = static_cast<int>(std::floor(point[k] / this->spacing));
-    }
-    return result;
-  }
-
-  double spacing;
-  std::map<Cube, std::vector<std::size_t>> cubes;
-};
-
-/// Poisson-disk samples: dart throwing until many throws in a row found no room.
-std::vector<Point> poissonDisk(
-  const Draw& draw, double spacing, unsigned seed, const std::vector<Point>& fixed = {})
-{
-  Random random(seed);
-  Darts darts(spacing);
-  for (const Point& point : fixed)
-  {
-    darts.add(point);
-  }
-  std::size_t misses = 0;
-  while (misses < 1000 + 6 * darts.points.size())
-  {
-    const Point point = draw(random);
-    ++misses;
-    if (darts.isFree(point))
-    {
-      darts.add(point);
-      misses = 0;
-    }
-  }
-  return darts.points;
-}
 
 /// All points within a radius of an axis. The axis is that solid's medial axis.
 struct Offset
@@ -229,82 +114,6 @@ Shape shifted(Shape shape, const Point& by)
   shape.outside = [outside = shape.outside, by](const Point& p) { return outside(p - by); };
   shape.axisDistance = [axis = shape.axisDistance, by](const Point& p) { return axis(p - by); };
   return shape;
-}
-
-using Corner = std::array<Point, 4>;
-
-/// The sheets of the medial axis of the box with these half sides, longest first: one to each edge
-/// of the box, and the rectangle in the middle.
-std::vector<Corner> boxSheets(const Point& half)
-{
-  const Point middle = half - Point::Constant(half.z());
-  std::vector<Corner> sheets;
-  for (int edge = 0; edge < 12; ++edge)
-  {
-    const int along = edge / 4;
-    Point from, to;
-    from[along] = -1;
-    to[along] = 1;
-    from[(along + 1) % 3] = to[(along + 1) % 3] = edge % 2 == 0 ? -1 : 1;
-    from[(along + 2) % 3] = to[(along + 2) % 3] = edge / 2 % 2 == 0 ? -1 : 1;
-    sheets.push_back({ from.cwiseProduct(half), to.cwiseProduct(half), to.cwiseProduct(middle),
-      from.cwiseProduct(middle) });
-  }
-  const double x = middle.x(), y = middle.y();
-  sheets.push_back({ Point(-x, -y, 0), Point(x, -y, 0), Point(x, y, 0), Point(-x, y, 0) });
-  return sheets;
-}
-
-double distanceToSheets(const Point& p, const std::vector<Corner>& sheets)
-{
-  double least = std::numeric_limits<double>::infinity();
-  for (const Corner& c : sheets)
-  {
-    const Point first = validators::nearestOnTriangle(p, c[0], c[1], c[2]);
-    const Point second = validators::nearestOnTriangle(p, c[0], c[2], c[3]);
-    least = std::min({ least, (first - p).norm(), (second - p).norm() });
-  }
-  return least;
-}
-
-/// The box's corners, and points evenly on its edges.
-std::vector<Point> boxEdges(const Point& half, double spacing)
-{
-  std::vector<Point> result;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const Point signs(corner % 2 * 2 - 1, corner / 2 % 2 * 2 - 1, corner / 4 * 2 - 1);
-    result.push_back(signs.cwiseProduct(half));
-    for (int along = 0; along < 3; ++along)
-    {
-      const int pieces = static_cast<int>(std::round(2 * half[along] / spacing));
-      for (int i = 1; signs[along] < 0 && i < pieces; ++i)
-      {
-        Point point = signs.cwiseProduct(half);
-        point[along] = half[along] * (2.0 * i / pieces - 1);
-        result.push_back(point);
-      }
-    }
-  }
-  return result;
-}
-
-Draw boxFaces(const Point& half)
-{
-  return [half](Random& random) {
-    const double xy = half.x() * half.y(), yz = half.y() * half.z(), zx = half.z() * half.x();
-    const double pick = uniform(random, 0, xy + yz + zx);
-    const int across = pick < xy ? 2 : pick < xy + yz ? 0 : 1;
-    Point point = uniformInBox(random, half);
-    point[across] = point[across] < 0 ? -half[across] : half[across];
-    return point;
-  };
-}
-
-double distanceToBox(const Point& p, const Point& half)
-{
-  const Point beyond = p.cwiseAbs() - half;
-  return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0);
 }
 
 /// A flat plate about the plane z = 0 with two round holes.
@@ -446,23 +255,6 @@ Shape twoObjects(double spacing, unsigned seed)
   return shape;
 }
 
-Shape box(double spacing, unsigned seed)
-{
-  const Point half(1.5, 1, 0.5);
-  Shape shape;
-  shape.name = "box";
-  shape.spacing = 0.85 * spacing;
-  shape.samples = poissonDisk(boxFaces(half), shape.spacing, seed, boxEdges(half, spacing));
-  shape.seed = seed;
-  shape.betti = { 1, 0, 0 };
-  shape.volume = 8 * half.prod();
-  shape.smooth = false;
-  shape.outside = [half](const Point& p) { return distanceToBox(p, half); };
-  shape.axisDistance = [sheets = boxSheets(half)](
-                         const Point& p) { return distanceToSheets(p, sheets); };
-  return shape;
-}
-
 Shape head(double spacing, unsigned seed)
 {
   struct Ellipsoid
@@ -543,68 +335,5 @@ std::vector<Point> cloud(int size, unsigned seed)
     points.push_back(uniformInBox(random, Point(0.5, 0.5, 0.5)));
   }
   return points;
-}
-
-std::vector<Point> scaled(std::vector<Point> points, double factor)
-{
-  for (Point& point : points)
-  {
-    point *= factor;
-  }
-  return points;
-}
-
-std::vector<Point> roundedToFloats(std::vector<Point> points)
-{
-  for (Point& point : points)
-  {
-    point = point.cast<float>().cast<double>();
-  }
-  return points;
-}
-
-std::vector<Point> moved(std::vector<Point> points, const Point& by)
-{
-  for (Point& point : points)
-  {
-    point += by;
-  }
-  return points;
-}
-
-std::vector<Point> rotated(std::vector<Point> points, unsigned seed, bool back)
-{
-  Random random(seed);
-  const Point axis = direction(random);
-  const double angle = uniform(random, 0.5, 2.5);
-  const Eigen::Matrix3d rotation =
-    Eigen::AngleAxisd(back ? -angle : angle, axis).toRotationMatrix();
-  for (Point& point : points)
-  {
-    point = rotation * point;
-  }
-  return points;
-}
-
-std::vector<Index> shuffledOrder(std::size_t size, unsigned seed)
-{
-  Random random(seed);
-  std::vector<Index> order(size);
-  std::iota(order.begin(), order.end(), 0);
-  for (std::size_t i = size; i > 1; --i)
-  {
-    std::swap(order[i - 1], order[random() % i]);
-  }
-  return order;
-}
-
-std::vector<Point> reordered(const std::vector<Point>& points, const std::vector<Index>& order)
-{
-  std::vector<Point> result;
-  for (const Index i : order)
-  {
-    result.push_back(points.at(static_cast<std::size_t>(i)));
-  }
-  return result;
 }
 }
