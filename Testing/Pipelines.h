@@ -9,21 +9,23 @@
 #include "Base/Lists.h"
 #include "Complexes.h"
 #include "Crust/PowerCrust.h"
+#include "Executions.h"
 #include "Parts/BallShares.h"
 #include "Parts/MedialParts.h"
 #include "Pruning/Pruning.h"
 #include "Shapes.h"
 #include "Validators.h"
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
-#include <atomic>
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
-#include <thread>
 #include <type_traits>
 #include <vector>
 
@@ -54,6 +56,30 @@ inline std::vector<char> keptBalls(const medial::MedialAxis& axis, const medial:
     keep.push_back(part == None ? 0 : 1);
   }
   return keep;
+}
+
+inline Index howMany(const medial::PolarBalls& balls, medial::Side side)
+{
+  return static_cast<Index>(std::count(balls.sides.begin(), balls.sides.end(), side));
+}
+
+/// Keeps the inner balls on one side of a plane.
+inline std::vector<char> keepBelow(const medial::PolarBalls& all, double x)
+{
+  std::vector<char> keep;
+  for (const medial::Ball& ball : all.balls)
+  {
+    keep.push_back(ball.center.x() < x ? 1 : 0);
+  }
+  return keep;
+}
+
+/// The area of a triangle of the axis, given as a cell.
+inline double areaOf(const medial::MedialAxis& axis, Index cell)
+{
+  const medial::Triangle& t = axis.cells.triangles[cell - axis.cells.firstTriangle()];
+  const Point& a = axis.points[t[0]];
+  return 0.5 * (axis.points[t[1]] - a).cross(axis.points[t[2]] - a).norm();
 }
 
 class Pipeline
@@ -154,81 +180,6 @@ inline void forEachShape(const std::function<void(Pipeline&)>& test)
   {
     SCOPED_TRACE(testing::Message() << pipeline.shape.name << ", seed " << pipeline.shape.seed);
     test(pipeline);
-  }
-}
-
-/// Ranges of different lengths, taken by several threads in no particular order.
-inline medial::Execution threaded(unsigned threadCount = 4)
-{
-  medial::Execution execution;
-  execution.parallelFor = [threadCount](Index count, const medial::Execution::Range& body) {
-    std::atomic<Index> next{ 0 };
-    const auto work = [&] {
-      for (Index step = 1;; step = step % 61 + 7)
-      {
-        const Index begin = next.fetch_add(step);
-        if (begin >= count)
-        {
-          return;
-        }
-        body(begin, std::min(count, begin + step));
-      }
-    };
-    std::vector<std::thread> threads;
-    for (unsigned i = 1; i < threadCount; ++i)
-    {
-      threads.emplace_back(work);
-    }
-    work();
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
-  };
-  return execution;
-}
-
-/// All that progress said.
-struct Watch
-{
-  std::vector<double> reports;
-  double stopAt = 2; ///< where progress says no
-
-  medial::Execution execution()
-  {
-    medial::Execution execution;
-    execution.progress = [this](double done) {
-      this->reports.push_back(done);
-      return done < this->stopAt;
-    };
-    return execution;
-  }
-};
-
-/// The stage reports often, upwards and within 0 ... 1, and stops where it is told to.
-inline void expectProgressAndAbort(const std::function<void(const medial::Execution&)>& stage)
-{
-  Watch watch;
-  stage(watch.execution());
-  EXPECT_GE(watch.reports.size(), 2u);
-  double last = 0;
-  for (const double done : watch.reports)
-  {
-    EXPECT_GE(done, last);
-    EXPECT_LE(done, 1);
-    last = done;
-  }
-  for (const double stopAt : { 0.0, 0.3, 0.6, 0.9 })
-  {
-    SCOPED_TRACE(testing::Message() << "stopped at " << stopAt);
-    Watch stopped;
-    stopped.stopAt = stopAt;
-    const bool everThere = last >= stopAt;
-    if (everThere)
-    {
-      EXPECT_THROW(stage(stopped.execution()), medial::Aborted);
-    }
-    EXPECT_TRUE(everThere) << "progress ended at " << last;
   }
 }
 
