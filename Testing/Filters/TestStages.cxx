@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What every filter does alike: resume from files, name what is wrong with arrays, survive damage,
-// report progress, stop, and give everything in the first piece.
-#include "FilterTest.h"
+// What every filter does alike: resume from files, name what is wrong with arrays, survive damage.
+#include "StageTest.h"
 
 #include <vtkAlgorithm.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -26,65 +24,14 @@
 
 namespace
 {
+using filterTest::Alone;
 using filterTest::boxPipeline;
 using filterTest::ErrorLog;
 using filterTest::failed;
-using filterTest::isEmpty;
 using filterTest::onlyError;
 using filterTest::same;
-
-/// A filter and which of its inputs to play with.
-struct Stage
-{
-  const char* name;
-  vtkAlgorithm* (*of)(filterTest::Pipeline&);
-  int port;
-};
-
-void PrintTo(const Stage& stage, std::ostream* stream)
-{
-  *stream << stage.name;
-}
-
-const Stage stages[] = {
-  { "PolarBalls", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.balls; }, 0 },
-  { "MedialAxis", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.axis; }, 0 },
-  { "MedialPartDecomposition", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.parts; }, 0 },
-  { "MedialPrune", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.prune; }, 0 },
-  { "PowerCrust", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.crust; }, 0 },
-  { "PowerCrustOfAxis", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.crust; }, 1 },
-};
-
-/// A filter as in the pipeline of the small box, with copies of its inputs in place of filters.
-class Alone
-{
-public:
-  explicit Alone(const Stage& aStage)
-    : Port(aStage.port)
-  {
-    vtkAlgorithm* model = aStage.of(boxPipeline());
-    this->Filter.TakeReference(vtkAlgorithm::SafeDownCast(model->NewInstance()));
-    for (int port = 0; port < model->GetTotalNumberOfInputConnections(); ++port)
-    {
-      this->setInput(port, model->GetInputDataObject(port, 0));
-    }
-  }
-
-  void setInput(int port, vtkDataObject* data)
-  {
-    vtkSmartPointer<vtkDataObject> input;
-    input.TakeReference(data->NewInstance());
-    input->DeepCopy(data);
-    this->Filter->SetInputDataObject(port, input);
-  }
-
-  vtkAlgorithm* filter() const { return this->Filter; }
-  vtkDataObject* input() const { return this->Filter->GetInputDataObject(this->Port, 0); }
-
-private:
-  vtkSmartPointer<vtkAlgorithm> Filter;
-  int Port;
-};
+using filterTest::Stage;
+using filterTest::Stages;
 
 /// An array that a filter reads.
 struct Needed
@@ -139,31 +86,27 @@ const char* kindOf(const Needed& array)
                                                   : "field array '";
 }
 
-class Stages : public testing::TestWithParam<Stage>
+/// For each array that the filter reads, a run with a change of it: what the filter then says must
+/// name the array, and what its maker is.
+template <typename Change>
+void expectRefusal(const Stage& stage, const Change& change, const std::string& says)
 {
-public:
-  /// For each array that the filter reads, a run with a change of it: what the filter then says must
-  /// name the array, and what its maker is.
-  template <typename Change>
-  void expectRefusal(const Change& change, const std::string& says)
+  for (const Needed& array : needed(stage))
   {
-    for (const Needed& array : needed(this->GetParam()))
+    SCOPED_TRACE(array.name);
+    Alone alone(stage);
+    vtkFieldData* data = alone.input()->GetAttributesAsFieldData(array.attributes);
+    if (!change(data, array))
     {
-      SCOPED_TRACE(array.name);
-      Alone alone(this->GetParam());
-      vtkFieldData* data = alone.input()->GetAttributesAsFieldData(array.attributes);
-      if (!change(data, array))
-      {
-        continue;
-      }
-      alone.input()->Modified();
-      const std::string error = onlyError(alone.filter());
-      EXPECT_NE(error.find(std::string(kindOf(array)) + array.name + "'"), error.npos) << error;
-      EXPECT_NE(error.find("take the output of vtk"), error.npos) << error;
-      EXPECT_NE(error.find(says), error.npos) << error;
+      continue;
     }
+    alone.input()->Modified();
+    const std::string error = onlyError(alone.filter());
+    EXPECT_NE(error.find(std::string(kindOf(array)) + array.name + "'"), error.npos) << error;
+    EXPECT_NE(error.find("take the output of vtk"), error.npos) << error;
+    EXPECT_NE(error.find(says), error.npos) << error;
   }
-};
+}
 
 TEST_P(Stages, GiveTheSameFromTheirInputInAFile)
 {
@@ -225,7 +168,8 @@ TEST_P(Stages, DontDependOnThreads)
 
 TEST_P(Stages, NameAnArrayThatIsMissing)
 {
-  this->expectRefusal(
+  expectRefusal(
+    this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
       data->RemoveArray(array.name);
       return true;
@@ -235,7 +179,8 @@ TEST_P(Stages, NameAnArrayThatIsMissing)
 
 TEST_P(Stages, NameAnArrayOfText)
 {
-  this->expectRefusal(
+  expectRefusal(
+    this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
       vtkNew<vtkStringArray> text;
       text->SetName(array.name);
@@ -248,7 +193,8 @@ TEST_P(Stages, NameAnArrayOfText)
 
 TEST_P(Stages, NameAnArrayThatIsTooShort)
 {
-  this->expectRefusal(
+  expectRefusal(
+    this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
       vtkAbstractArray* values = data->GetAbstractArray(array.name);
       values->SetNumberOfTuples(values->GetNumberOfTuples() - 1);
@@ -261,7 +207,8 @@ TEST_P(Stages, NameAnArrayThatIsTooShort)
 
 TEST_P(Stages, NameAnArrayWithOtherComponents)
 {
-  this->expectRefusal(
+  expectRefusal(
+    this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
       vtkAbstractArray* values = data->GetAbstractArray(array.name);
       const vtkIdType count = values->GetNumberOfTuples();
@@ -274,7 +221,8 @@ TEST_P(Stages, NameAnArrayWithOtherComponents)
 
 TEST_P(Stages, NameAnArrayOfFractionsWhereIdsAreNeeded)
 {
-  this->expectRefusal(
+  expectRefusal(
+    this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
       vtkNew<vtkDoubleArray> fractions;
       fractions->DeepCopy(data->GetArray(array.name));
@@ -286,7 +234,8 @@ TEST_P(Stages, NameAnArrayOfFractionsWhereIdsAreNeeded)
 
 TEST_P(Stages, NameAnArrayWithAnIdOfNothing)
 {
-  this->expectRefusal(
+  expectRefusal(
+    this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
       data->GetArray(array.name)->SetComponent(0, 0, array.tooLarge);
       return array.tooLarge != 0;
@@ -296,7 +245,8 @@ TEST_P(Stages, NameAnArrayWithAnIdOfNothing)
 
 TEST_P(Stages, NameAnArrayWithANegativeId)
 {
-  this->expectRefusal(
+  expectRefusal(
+    this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
       data->GetArray(array.name)->SetComponent(0, 0, -2);
       return array.tooLarge > 3; // -2 can't be stored in the others
@@ -306,83 +256,13 @@ TEST_P(Stages, NameAnArrayWithANegativeId)
 
 TEST_P(Stages, NameAnArrayThatIsNotFinite)
 {
-  this->expectRefusal(
+  expectRefusal(
+    this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
       data->GetArray(array.name)->SetComponent(0, 0, std::nan(""));
       return array.tooLarge == 0;
     },
     "has the value ");
-}
-
-TEST_P(Stages, ReportProgressThatGrows)
-{
-  Alone alone(this->GetParam());
-  std::vector<double> reports;
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetClientData(&reports);
-  listener->SetCallback([](vtkObject*, unsigned long, void* list, void* done) {
-    static_cast<std::vector<double>*>(list)->push_back(*static_cast<double*>(done));
-  });
-  alone.filter()->AddObserver(vtkCommand::ProgressEvent, listener);
-  alone.filter()->Update();
-  EXPECT_GE(reports.size(), 4u);
-  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
-  EXPECT_GE(reports.front(), 0);
-  EXPECT_EQ(reports.back(), 1);
-}
-
-/// Stops a filter at its second report of progress that is neither start nor end.
-vtkSmartPointer<vtkCallbackCommand> stopper()
-{
-  auto result = vtkSmartPointer<vtkCallbackCommand>::New();
-  result->SetCallback([](vtkObject* filter, unsigned long, void*, void* done) {
-    const double progress = *static_cast<double*>(done);
-    if (progress > 0 && progress < 1)
-    {
-      static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1);
-    }
-  });
-  return result;
-}
-
-TEST_P(Stages, StopWithoutAnErrorAndRunAgain)
-{
-  Alone alone(this->GetParam());
-  const ErrorLog log(alone.filter());
-  const unsigned long tag = alone.filter()->AddObserver(vtkCommand::ProgressEvent, stopper());
-  alone.filter()->Update();
-  EXPECT_TRUE(log.messages().empty()) << testing::PrintToString(log.messages());
-  EXPECT_EQ(alone.filter()->GetErrorCode(), 0u);
-  for (int port = 0; port < alone.filter()->GetNumberOfOutputPorts(); ++port)
-  {
-    EXPECT_TRUE(isEmpty(alone.filter()->GetOutputDataObject(port)));
-  }
-  alone.filter()->RemoveObserver(tag);
-  alone.filter()->Modified();
-  alone.filter()->Update();
-  vtkAlgorithm* model = this->GetParam().of(boxPipeline());
-  EXPECT_TRUE(same(alone.filter()->GetOutputDataObject(0), model->GetOutputDataObject(0)));
-}
-
-TEST_P(Stages, GiveEverythingInTheFirstPiece)
-{
-  Alone alone(this->GetParam());
-  vtkAlgorithm* model = this->GetParam().of(boxPipeline());
-  for (int port = 0; port < model->GetNumberOfOutputPorts(); ++port)
-  {
-    SCOPED_TRACE(port);
-    alone.filter()->UpdatePiece(0, 2, 0);
-    EXPECT_TRUE(same(alone.filter()->GetOutputDataObject(port), model->GetOutputDataObject(port)));
-    alone.filter()->UpdatePiece(1, 2, 0);
-    EXPECT_TRUE(isEmpty(alone.filter()->GetOutputDataObject(port)));
-  }
-}
-
-TEST_P(Stages, DescribeThemselves)
-{
-  std::ostringstream text;
-  this->GetParam().of(boxPipeline())->Print(text);
-  EXPECT_NE(text.str().find("AbortExecute"), std::string::npos);
 }
 
 /// A cell gets other corners, an array another value: each may make sense or not.
@@ -428,18 +308,6 @@ TEST_P(Stages, SurviveDamage)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Stages, testing::ValuesIn(stages),
+INSTANTIATE_TEST_SUITE_P(All, Stages, testing::ValuesIn(filterTest::stages),
   [](const testing::TestParamInfo<Stage>& info) { return std::string(info.param.name); });
-
-TEST(StoppedPipeline, IsEmptyToItsEndWithoutAnError)
-{
-  filterTest::Pipeline pipeline(filterTest::cloud(filterTest::smallBox().samples));
-  const ErrorLog ofBalls(pipeline.balls), ofAxis(pipeline.axis), ofCrust(pipeline.crust);
-  pipeline.balls->AddObserver(vtkCommand::ProgressEvent, stopper());
-  pipeline.crust->Update();
-  EXPECT_TRUE(ofBalls.messages().empty());
-  EXPECT_TRUE(ofAxis.messages().empty()) << testing::PrintToString(ofAxis.messages());
-  EXPECT_TRUE(ofCrust.messages().empty()) << testing::PrintToString(ofCrust.messages());
-  EXPECT_TRUE(isEmpty(pipeline.crust->GetOutput()));
-}
 }
