@@ -57,12 +57,14 @@ configure()
     { cat "$2/configure.log"; fail "CMake failed."; }
 }
 
-# Builds a target of the project; further arguments are options for CMake.
+# Builds targets of the project, with spaces between; further arguments are options for CMake.
 build_project()
 {
+  local targets
+  read -ra targets <<<"$1"
   say "Building in $build"
   configure "$top" "$build" "${@:2}"
-  cmake --build "$build" --target "$1"
+  cmake --build "$build" --target "${targets[@]}"
 }
 
 # Fetches the meshes of a Debian package, among them the bunny (37,706 points), into $meshes.
