@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPowerCrust.h"
 
+#include "Axis/AxisBetti.h"
 #include "Axis/MedialAxis.h"
 #include "Collections/Objects.h"
 #include "Conversion/Axis.h"

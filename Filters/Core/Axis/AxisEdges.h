@@ -2,7 +2,7 @@
 #ifndef medial_AxisEdges_h
 #define medial_AxisEdges_h
 
-#include "Axis/MedialAxis.h"
+#include "Axis/AxisCells.h"
 #include "Base/Lists.h"
 #include "Base/Types.h"
 

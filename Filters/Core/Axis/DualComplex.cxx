@@ -230,7 +230,7 @@ SheetComplex sheetComplex(const SingularPoints& singularPoints, const SiteTriang
 /// the corners of the polygons.
 void addPoints(const PolarBalls& polarBalls, const SiteTriangulation& sites, const Frame& frame,
   const Vertices& vertices, const MergedVertices& merging, const std::vector<char>& trimmed,
-  std::vector<Polygon>& polygons, MedialAxis& axis)
+  std::vector<Polygon>& polygons, AxisComplex& axis)
 {
   std::vector<Ball> spheres;
   std::vector<Index> number;
@@ -306,7 +306,7 @@ SiteView viewOf(const std::vector<Ball>& corners, const std::vector<Point>& site
 
 /// Triangulates polygons into cells of the axis.
 void addTriangles(const std::vector<Polygon>& polygons, const SiteTriangulation& sites,
-  const SingularPoints& singularPoints, EdgeSet& edges, MedialAxis& axis)
+  const SingularPoints& singularPoints, EdgeSet& edges, AxisComplex& axis)
 {
   std::set<Triangle> known;
   Index number = 0;
@@ -354,8 +354,8 @@ void addTriangles(const std::vector<Polygon>& polygons, const SiteTriangulation&
 
 /// Adds the edges that are sides of no triangle and the points that are in no cell.
 /// @param dangling  edges, ascending, with their sites
-void addLowerCells(
-  const std::map<Edge, std::vector<Point>>& dangling, const EdgeSet& sidesOfFaces, MedialAxis& axis)
+void addLowerCells(const std::map<Edge, std::vector<Point>>& dangling, const EdgeSet& sidesOfFaces,
+  AxisComplex& axis)
 {
   std::vector<SiteView> views;
   const auto ballAt = [&axis](Index p) { return Ball{ axis.points[p], axis.radii[p] }; };
@@ -394,7 +394,7 @@ void addLowerCells(
 }
 }
 
-MedialAxis dualComplex(const PolarBalls& polarBalls, const SingularPoints& singularPoints,
+AxisComplex dualComplex(const PolarBalls& polarBalls, const SingularPoints& singularPoints,
   const SiteTriangulation& sites, const OpenSet& set, const Frame& frame)
 {
   const Faces faces = keptFaces(sites, set);
@@ -412,7 +412,7 @@ MedialAxis dualComplex(const PolarBalls& polarBalls, const SingularPoints& singu
   const std::vector<char> trimmed = trimSheets(
     sheetComplex(singularPoints, sites, frame, vertices, merging, std::move(places)), polygons);
 
-  MedialAxis axis{};
+  AxisComplex axis{};
   addPoints(polarBalls, sites, frame, vertices, merging, trimmed, polygons, axis);
   std::map<Edge, std::vector<Point>> dangling;
   EdgeSet sides, all;

@@ -67,7 +67,7 @@ bool isOneFront(
 class Fire
 {
 public:
-  explicit Fire(const MedialAxis& theAxis)
+  explicit Fire(const AxisComplex& theAxis)
     : axis(theAxis)
     , edges(axisEdges(theAxis.cells))
     , firstOfLines(3 * count(theAxis.cells.triangles))
@@ -294,7 +294,7 @@ private:
     return this->burnt[sector] ? this->time[sector] : never;
   }
 
-  const MedialAxis& axis;
+  const AxisComplex& axis;
   AxisEdges edges;
   Index firstOfLines;
   std::vector<double> time;         ///< of each sector, by its first corner
@@ -311,7 +311,7 @@ private:
 };
 }
 
-Erosion erosion(const MedialAxis& axis)
+Erosion erosion(const AxisComplex& axis)
 {
   Fire fire(axis);
   std::vector<Ball> balls;

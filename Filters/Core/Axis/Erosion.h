@@ -2,7 +2,7 @@
 #ifndef medial_Erosion_h
 #define medial_Erosion_h
 
-#include "Axis/MedialAxis.h"
+#include "Axis/AxisComplex.h"
 
 #include <vector>
 
@@ -27,7 +27,7 @@ struct Erosion
 /// What no fire reaches, such as a closed sheet, has the largest thickness: that of anything else or
 /// the diagonal of the bounding box of all balls, whichever is larger.
 /// @param axis  points, radii and cells count
-Erosion erosion(const MedialAxis& axis);
+Erosion erosion(const AxisComplex& axis);
 }
 
 #endif

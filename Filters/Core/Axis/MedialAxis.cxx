@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/MedialAxis.h"
 
+#include "Axis/AxisBetti.h"
 #include "Axis/Carving.h"
 #include "Axis/DualComplex.h"
 #include "Axis/Erosion.h"
@@ -11,11 +12,10 @@
 #include "Base/Frame.h"
 #include "Base/Lists.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace medial
 {
@@ -23,6 +23,14 @@ namespace
 {
 /// How deep candidates must be, in the order tried: the first that gives the right topology counts.
 constexpr double kappas[] = { 0.2, 0.1, 0.05, 0, 0.3, 0.5, 0.8 };
+
+/// An axis of which nothing else is known yet.
+MedialAxis axisOf(AxisComplex complex)
+{
+  MedialAxis axis{};
+  static_cast<AxisComplex&>(axis) = std::move(complex);
+  return axis;
+}
 
 /// The axis from the singular points whose Betti numbers are the shape's, or come nearest.
 MedialAxis axisFromSites(
@@ -42,7 +50,7 @@ MedialAxis axisFromSites(
       continue;
     }
     carve(sites, set, execution.part(0.7, 0.9));
-    MedialAxis axis = dualComplex(polarBalls, points, sites, set, frame);
+    MedialAxis axis = axisOf(dualComplex(polarBalls, points, sites, set, frame));
     axis.kappa = kappa;
     axis.betti = bettiNumbers(axis.cells);
     if (!best || bettiDistance(axis.betti, shape.betti) < bettiDistance(best->betti, shape.betti))
@@ -118,21 +126,6 @@ std::vector<Index> owners(const PolarBalls& polarBalls, const std::vector<Index>
 }
 }
 
-double triangleArea(const MedialAxis& axis, const Triangle& corners)
-{
-  const Point& a = axis.points[corners[0]];
-  return 0.5 * (axis.points[corners[1]] - a).cross(axis.points[corners[2]] - a).norm();
-}
-
-std::vector<Ball> cornerBalls(const MedialAxis& axis, Index cell)
-{
-  std::vector<Ball> result;
-  forPoints(axis.cells, cell, [&](Index p) {
-    result.push_back({ axis.points[p], axis.radii[p] });
-  });
-  return result;
-}
-
 MedialAxis withCells(MedialAxis axis, const std::vector<Index>& cells, const Betti& betti)
 {
   // In place: what stays moves down.
@@ -173,7 +166,7 @@ MedialAxis medialAxis(
   MedialAxis axis = axisFromSites(polarBalls, shape, execution.part(0.1, 0.9));
   if (axis.betti != shape.betti && options.fallback == AxisFallback::Collapse)
   {
-    axis = collapsedShape(polarBalls, shape);
+    axis = axisOf(collapsedShape(polarBalls, shape));
     axis.betti = bettiNumbers(axis.cells);
     axis.fallback = true;
     axis.kappa = -1;

@@ -2,7 +2,7 @@
 #ifndef medial_MedialAxis_h
 #define medial_MedialAxis_h
 
-#include "Axis/SiteView.h"
+#include "Axis/AxisComplex.h"
 #include "Balls/PolarBalls.h"
 #include "Base/Execution.h"
 #include "Base/Types.h"
@@ -11,56 +11,11 @@
 
 namespace medial
 {
-/// The cells of a medial axis: triangles, and the edges and vertices in no higher cell.
-///
-/// Cells are numbered vertices first, then edges, then triangles, as in a vtkPolyData.
-struct AxisCells
-{
-  std::vector<Index> vertices;
-  std::vector<Edge> edges;
-  std::vector<Triangle> triangles;
-
-  Index size() const { return this->firstTriangle() + count(this->triangles); }
-  Index firstEdge() const { return count(this->vertices); }
-  Index firstTriangle() const { return count(this->vertices) + count(this->edges); }
-};
-
-/// Calls body(point) for the corners of a cell.
-template <typename Body>
-void forPoints(const AxisCells& cells, Index cell, const Body& body)
-{
-  if (cell >= cells.firstTriangle())
-  {
-    const Triangle& corners = cells.triangles[cell - cells.firstTriangle()];
-    body(corners[0]), body(corners[1]), body(corners[2]);
-  }
-  else if (cell >= cells.firstEdge())
-  {
-    const Edge& ends = cells.edges[cell - cells.firstEdge()];
-    body(ends[0]), body(ends[1]);
-  }
-  else
-  {
-    body(cells.vertices[cell]);
-  }
-}
-
 /// The medial axis of the solid: the triangulated surface of the centres of its maximal balls.
-struct MedialAxis
+struct MedialAxis : AxisComplex
 {
-  // One entry for each medial point.
-  std::vector<Point> points;
-  std::vector<double> radii;      ///< of the maximal ball centred there, unit of the samples
-  std::vector<Index> ballOfPoint; ///< the polar ball centred there, or None
-  std::vector<double> erosion;    ///< Erosion::ofPoint of the axis as it was made
-
-  AxisCells cells;
-  // One entry for each cell.
-  std::vector<Index> polygonOfCell; ///< triangles of one Voronoi face share a number; else None
-  std::vector<Edge> samplesOfCell;  ///< the two sites the cell is equally far from, where they are
-                                    ///< samples, else None
-  std::vector<SiteView> siteViews;
-  std::vector<double> cellErosion; ///< Erosion::ofCell of the axis as it was made
+  std::vector<double> erosion;     ///< for each point, Erosion::ofPoint of the axis as it was made
+  std::vector<double> cellErosion; ///< for each cell, Erosion::ofCell of the axis as it was made
 
   // One entry for each polar ball.
   std::vector<Index> ballOwner; ///< itself if on the axis; for an inner ball off the axis the ball
@@ -100,14 +55,6 @@ MedialAxis medialAxis(
 /// The axis with some of its cells, given in ascending order, alone; all points stay.
 /// @param betti  of these cells; the certificate follows
 MedialAxis withCells(MedialAxis axis, const std::vector<Index>& cells, const Betti& betti);
-
-double triangleArea(const MedialAxis& axis, const Triangle& corners);
-
-/// The maximal balls at the corners of a cell.
-std::vector<Ball> cornerBalls(const MedialAxis& axis, Index cell);
-
-/// Betti numbers of the complex of `cells` and their faces. Exact, over Z/2.
-Betti bettiNumbers(const AxisCells& cells);
 }
 
 #endif

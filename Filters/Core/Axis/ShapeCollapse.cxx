@@ -152,11 +152,11 @@ std::vector<Edge> looseEdges(
 }
 }
 
-MedialAxis collapsedShape(const PolarBalls& polarBalls, const PowerShape& shape)
+AxisComplex collapsedShape(const PolarBalls& polarBalls, const PowerShape& shape)
 {
   Collapse collapse(polarBalls, shape);
   collapse.run();
-  MedialAxis axis{};
+  AxisComplex axis{};
   axis.cells.triangles = collapse.triangles();
   axis.cells.edges = looseEdges(polarBalls, shape, axis.cells.triangles);
   std::vector<Index> pointOfBall(polarBalls.balls.size(), None);

@@ -2,16 +2,15 @@
 #ifndef medial_ShapeCollapse_h
 #define medial_ShapeCollapse_h
 
-#include "Axis/MedialAxis.h"
+#include "Axis/AxisComplex.h"
 #include "Balls/PolarBalls.h"
 #include "Balls/PowerShape.h"
 
 namespace medial
 {
-/// The power shape with every tetrahedron collapsed through a free triangle, as the points and cells
-/// of an axis (the rest of it stays empty). The topology is the power shape's, by construction; its
+/// The power shape with every tetrahedron collapsed through a free triangle. The topology is the power shape's, by construction; its
 /// sheets are rougher than the Voronoi faces.
-MedialAxis collapsedShape(const PolarBalls& polarBalls, const PowerShape& shape);
+AxisComplex collapsedShape(const PolarBalls& polarBalls, const PowerShape& shape);
 }
 
 #endif

@@ -2,8 +2,8 @@
 #ifndef medial_LivingCells_h
 #define medial_LivingCells_h
 
+#include "Axis/AxisCells.h"
 #include "Axis/AxisEdges.h"
-#include "Axis/MedialAxis.h"
 #include "Base/DisjointSets.h"
 #include "Base/Lists.h"
 #include "Base/Types.h"

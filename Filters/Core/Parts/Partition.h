@@ -2,7 +2,7 @@
 #ifndef medial_Partition_h
 #define medial_Partition_h
 
-#include "Axis/MedialAxis.h"
+#include "Axis/AxisCells.h"
 #include "Base/Execution.h"
 #include "Base/Lists.h"
 #include "Base/Types.h"
@@ -30,11 +30,6 @@ Partition partition(const AxisCells& cells, const AxisEdges& edges, int maximumL
 
 /// Gives a partition of the living cells the levels that it does not have yet.
 void findAllLevels(const LivingCells& living, Partition& partition);
-
-/// Betti numbers of the living cells and their faces. Exact, over Z/2.
-/// @param partition  of these cells, to level 1 or more
-Betti bettiNumbers(
-  const LivingCells& living, const Partition& partition, const Execution& execution = {});
 
 /// Calls body(part, part) so often that parts which share a point are linked by these pairs.
 template <typename Body>

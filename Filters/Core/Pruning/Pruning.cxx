@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pruning/Pruning.h"
 
+#include "Axis/AxisBetti.h"
 #include "Axis/AxisEdges.h"
 #include "Base/Lists.h"
 #include "Parts/BallShares.h"
+#include "Parts/BettiNumbers.h"
 #include "Parts/LivingCells.h"
 #include "Parts/Partition.h"
 #include "Parts/Thresholds.h"

@@ -74,19 +74,7 @@ TEST(MedialAxis, StatesItsBettiNumbers)
   forEachShape([](Pipeline& p) {
     EXPECT_EQ(p.axis().betti, pipelines::independentBetti(p.axis()));
     EXPECT_EQ(p.axis().powerShapeBetti, p.powerShape().betti);
-    EXPECT_EQ(medial::bettiNumbers(p.axis().cells), p.axis().betti);
   });
-}
-
-TEST(MedialAxis, BettiNumbersAreThoseOfTheRanks)
-{
-  for (unsigned seed = 0; seed < 100; ++seed)
-  {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    const MedialAxis axis = complexes::randomComplex(seed).axis();
-    EXPECT_EQ(medial::bettiNumbers(axis.cells), pipelines::independentBetti(axis));
-  }
-  EXPECT_EQ(medial::bettiNumbers({}), (Betti{ 0, 0, 0 }));
 }
 
 TEST(MedialAxis, CertificateIsHonest)

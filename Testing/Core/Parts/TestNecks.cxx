@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipelines.h"
 
+#include "Parts/BettiNumbers.h"
 #include "Parts/LivingCells.h"
 #include "Parts/Necks.h"
-#include "Parts/Partition.h"
 #include "Pruning/Pruning.h"
 
 #include <algorithm>

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Axis/AxisComplex.h"
+
+#include <Eigen/Geometry>
+
+namespace medial
+{
+double triangleArea(const AxisComplex& axis, const Triangle& corners)
+{
+  const Point& a = axis.points[corners[0]];
+  return 0.5 * (axis.points[corners[1]] - a).cross(axis.points[corners[2]] - a).norm();
+}
+
+std::vector<Ball> cornerBalls(const AxisComplex& axis, Index cell)
+{
+  std::vector<Ball> result;
+  forPoints(axis.cells, cell, [&](Index p) {
+    result.push_back({ axis.points[p], axis.radii[p] });
+  });
+  return result;
+}
+}
