@@ -75,8 +75,9 @@ DisjointSets components(const SiteTriangulation& sites, const OpenSet& set)
   return result;
 }
 
-/// Number of pieces of the closed rest of space; the vertex at infinity is one more vertex.
-Index outsidePieces(const SiteTriangulation& sites, const OpenSet& set, const Outside& outside)
+/// Number of pieces of the closed rest of space, without the (open) set: cells, joined over shared
+/// vertices. The vertex at infinity is one more vertex.
+Index closedRestPieces(const SiteTriangulation& sites, const OpenSet& set, const Outside& outside)
 {
   const Index infinity = count(outside.vertices);
   DisjointSets pieces(infinity + 1);
@@ -182,7 +183,7 @@ Betti bettiNumbers(const SiteTriangulation& sites, const OpenSet& set)
   {
     edges += !edge;
   }
-  const Index b2 = outsidePieces(sites, set, outside) - 1;
+  const Index b2 = closedRestPieces(sites, set, outside) - 1;
   return { b0, b0 + b2 - (cells - facets / 2 + edges - vertices), b2 };
 }
 

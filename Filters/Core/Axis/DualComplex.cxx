@@ -79,36 +79,6 @@ Faces keptFaces(const SiteTriangulation& sites, const OpenSet& set)
   return faces;
 }
 
-/// The cells around an edge all of whose cells exist, in order.
-std::vector<Index> cellsAround(const Tetrahedra& mesh, const Edge& edge, Index start)
-{
-  std::vector<Index> ring;
-  int leave = 0; // corner opposite to the facet to cross
-  while (mesh.cells[start][leave] == edge[0] || mesh.cells[start][leave] == edge[1])
-  {
-    ++leave;
-  }
-  Index cell = start;
-  do
-  {
-    ring.push_back(cell);
-    const Tetrahedron& corners = mesh.cells[cell];
-    Index pivot = None; // shared with the next cell, opposite to its next facet
-    for (int i = 0; i < 4; ++i)
-    {
-      if (i != leave && corners[i] != edge[0] && corners[i] != edge[1])
-      {
-        pivot = corners[i];
-      }
-    }
-    cell = mesh.neighbors[cell][leave];
-    const Tetrahedron& next = mesh.cells[cell];
-    leave = static_cast<int>(std::find(next.begin(), next.end(), pivot) - next.begin());
-  }
-  while (cell != start);
-  return ring;
-}
-
 /// The medial point of each cell of the set, and what is known of the points.
 struct Vertices
 {
@@ -167,8 +137,15 @@ std::vector<Polygon> facePolygons(
     {
       continue;
     }
+    const Edge& edge = sites.edges.edges[e];
+    const Tetrahedron& corners = sites.mesh.cells[faces[e]];
+    int leave = 0; // any corner that is not on the edge
+    while (corners[leave] == edge[0] || corners[leave] == edge[1])
+    {
+      ++leave;
+    }
     std::vector<Index> walk;
-    for (const Index c : cellsAround(sites.mesh, sites.edges.edges[e], faces[e]))
+    for (const Index c : cellsAround(sites.mesh, edge, faces[e], leave))
     {
       if (walk.empty() || walk.back() != vertices.ofCell[c])
       {

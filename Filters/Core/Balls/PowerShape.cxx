@@ -32,9 +32,9 @@ void forMarkedTriangles(const Tetrahedra& mesh, const std::vector<char>& marked,
   }
 }
 
-/// Number of pieces of what is left of space without the subcomplex: cells, joined across triangles
-/// that are not in it. The last set is the space around all cells.
-Index outsidePieces(const Tetrahedra& mesh, const std::vector<char>& marked)
+/// Number of pieces of the open rest of space, without the (closed) subcomplex: cells, joined across
+/// triangles that are not in it. The last set is the space around all cells.
+Index openRestPieces(const Tetrahedra& mesh, const std::vector<char>& marked)
 {
   const Index around = count(mesh.cells);
   DisjointSets sets(around + 1);
@@ -86,7 +86,7 @@ Betti markedBetti(const Tetrahedra& mesh, const std::vector<char>& marked)
     vertices += used[v];
     b0 += used[v] && pieces.find(v) == v;
   }
-  const Index b2 = outsidePieces(mesh, marked) - 1;
+  const Index b2 = openRestPieces(mesh, marked) - 1;
   return { b0, b0 + b2 - (vertices - edges + triangles - tetrahedra), b2 };
 }
 

@@ -37,6 +37,13 @@ struct EdgeNumbers
   std::vector<Edge> edges; ///< corners, ascending
 };
 EdgeNumbers edgeNumbers(const std::vector<Tetrahedron>& cells, Index pointCount);
+
+/// The cells around an edge, in the order of a walk that begins in `start` and leaves it across the
+/// facet opposite to its corner number `leave`; empty where the walk comes to the hull.
+/// @param start  a cell at the edge
+/// @param leave  0 ... 3, one of the two corners that are not on the edge; which one decides
+///               the direction of the walk
+std::vector<Index> cellsAround(const Tetrahedra& mesh, const Edge& edge, Index start, int leave);
 }
 
 #endif

@@ -31,26 +31,16 @@ struct CellFaces
 
 /// The cells around the dual edge (inner, outer), counter-clockwise seen from the outer ball; empty
 /// where the edge is on the convex hull.
-std::vector<Index> cellsAround(const Tetrahedra& mesh, Index inner, Index outer, Index start)
+std::vector<Index> cycleAround(const Tetrahedra& mesh, Index inner, Index outer, Index start)
 {
-  std::vector<Index> cycle;
-  Index cell = start;
-  do
-  {
-    cycle.push_back(cell);
-    const Tetrahedron& corners = mesh.cells[cell];
-    // Of the facets with the edge, leave by the one from which the turn is counter-clockwise.
-    const int i =
-      static_cast<int>(std::find(corners.begin(), corners.end(), inner) - corners.begin());
-    const Triangle seen = facet(corners, i); // counter-clockwise seen from the inner ball
-    const int at = static_cast<int>(std::find(seen.begin(), seen.end(), outer) - seen.begin());
-    const Index leave = seen[(at + 2) % 3];
-    const int k =
-      static_cast<int>(std::find(corners.begin(), corners.end(), leave) - corners.begin());
-    cell = mesh.neighbors[cell][k];
-  }
-  while (cell != start && cell != None);
-  return cell == None ? std::vector<Index>() : cycle;
+  const Tetrahedron& corners = mesh.cells[start];
+  const auto place = [](const auto& balls, Index ball) {
+    return static_cast<int>(std::find(balls.begin(), balls.end(), ball) - balls.begin());
+  };
+  // Of the facets with the edge, leave by the one from which the turn is counter-clockwise.
+  const Triangle seen = facet(corners, place(corners, inner)); // so seen from the inner ball
+  const Index leave = seen[(place(seen, outer) + 2) % 3];
+  return cellsAround(mesh, { inner, outer }, start, place(corners, leave));
 }
 
 CellFaces cellFaces(const PowerDiagram& diagram)
@@ -73,7 +63,7 @@ CellFaces cellFaces(const PowerDiagram& diagram)
       {
         std::swap(a, b);
       }
-      result.cycles.push_back(cellsAround(mesh, a, b, c));
+      result.cycles.push_back(cycleAround(mesh, a, b, c));
       result.balls.push_back({ a, b });
     }
   }
