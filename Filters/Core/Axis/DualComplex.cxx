@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/DualComplex.h"
 
+#include "Axis/FacePolygon.h"
+#include "Axis/Sheets.h"
 #include "Axis/Trimming.h"
 #include "Axis/VertexMerging.h"
 #include "Base/DisjointSets.h"
@@ -127,10 +129,10 @@ Vertices mergedVertices(const SiteTriangulation& sites, const OpenSet& set)
   return result;
 }
 
-std::vector<Polygon> facePolygons(
+std::vector<FacePolygon> facePolygons(
   const SiteTriangulation& sites, const Faces& faces, const Vertices& vertices)
 {
-  std::vector<Polygon> polygons;
+  std::vector<FacePolygon> polygons;
   for (Index e = 0; e < count(faces); ++e)
   {
     if (faces[e] == None)
@@ -159,7 +161,7 @@ std::vector<Polygon> facePolygons(
 
 /// Appends the Voronoi edges in the set that are in no face.
 void appendEdgesWithoutFace(const SiteTriangulation& sites, const OpenSet& set, const Faces& faces,
-  const Vertices& vertices, std::vector<Polygon>& polygons)
+  const Vertices& vertices, std::vector<FacePolygon>& polygons)
 {
   for (Index c = 0; c < count(set.cells); ++c)
   {
@@ -186,7 +188,7 @@ void appendEdgesWithoutFace(const SiteTriangulation& sites, const OpenSet& set, 
 }
 
 /// What is to be trimmed: the vertices and the midpoints with their places.
-SheetComplex sheetComplex(const SingularPoints& singularPoints, const SiteTriangulation& sites,
+FaceGeometry faceGeometry(const SingularPoints& singularPoints, const SiteTriangulation& sites,
   const Frame& frame, const Vertices& vertices, const MergedVertices& merging,
   std::vector<Point> places)
 {
@@ -194,7 +196,7 @@ SheetComplex sheetComplex(const SingularPoints& singularPoints, const SiteTriang
   {
     places.push_back(0.5 * (places[side[0]] + places[side[1]]));
   }
-  SheetComplex result{ std::move(places), vertices.ball, {}, sites.edges.edges };
+  FaceGeometry result{ std::move(places), vertices.ball, {}, sites.edges.edges };
   result.ball.resize(result.points.size(), None);
   for (const Point& site : singularPoints.positions)
   {
@@ -207,7 +209,7 @@ SheetComplex sheetComplex(const SingularPoints& singularPoints, const SiteTriang
 /// the corners of the polygons.
 void addPoints(const PolarBalls& polarBalls, const SiteTriangulation& sites, const Frame& frame,
   const Vertices& vertices, const MergedVertices& merging, const std::vector<char>& trimmed,
-  std::vector<Polygon>& polygons, AxisComplex& axis)
+  std::vector<FacePolygon>& polygons, AxisComplex& axis)
 {
   std::vector<Ball> spheres;
   std::vector<Index> number;
@@ -240,7 +242,7 @@ void addPoints(const PolarBalls& polarBalls, const SiteTriangulation& sites, con
     spheres.push_back({ 0.5 * (a.center + b.center), 0.5 * (a.radius + b.radius) });
     add(spheres.back(), None);
   }
-  for (Polygon& polygon : polygons)
+  for (FacePolygon& polygon : polygons)
   {
     for (Index& v : polygon.corners)
     {
@@ -251,7 +253,7 @@ void addPoints(const PolarBalls& polarBalls, const SiteTriangulation& sites, con
 
 /// Where the sites are that a polygon is equally far from; none for one that was filled in.
 std::vector<Point> sitesOf(
-  const Polygon& polygon, const SiteTriangulation& sites, const std::vector<Point>& positions)
+  const FacePolygon& polygon, const SiteTriangulation& sites, const std::vector<Point>& positions)
 {
   std::vector<Point> result;
   const auto add = [&](const auto& some) {
@@ -282,12 +284,12 @@ SiteView viewOf(const std::vector<Ball>& corners, const std::vector<Point>& site
 }
 
 /// Triangulates polygons into cells of the axis.
-void addTriangles(const std::vector<Polygon>& polygons, const SiteTriangulation& sites,
+void addTriangles(const std::vector<FacePolygon>& polygons, const SiteTriangulation& sites,
   const SingularPoints& singularPoints, EdgeSet& edges, AxisComplex& axis)
 {
   std::set<Triangle> known;
   Index number = 0;
-  for (const Polygon& polygon : polygons)
+  for (const FacePolygon& polygon : polygons)
   {
     if (polygon.corners.size() < 3)
     {
@@ -376,7 +378,7 @@ AxisComplex dualComplex(const PolarBalls& polarBalls, const SingularPoints& sing
 {
   const Faces faces = keptFaces(sites, set);
   const Vertices vertices = mergedVertices(sites, set);
-  std::vector<Polygon> polygons = facePolygons(sites, faces, vertices);
+  std::vector<FacePolygon> polygons = facePolygons(sites, faces, vertices);
   appendEdgesWithoutFace(sites, set, faces, vertices, polygons);
   std::vector<Point> places;
   for (Index v = 0; v < count(vertices.firstCell); ++v)
@@ -387,13 +389,13 @@ AxisComplex dualComplex(const PolarBalls& polarBalls, const SingularPoints& sing
   }
   const MergedVertices merging = mergeVertices(places, vertices.ball, polygons);
   const std::vector<char> trimmed = trimSheets(
-    sheetComplex(singularPoints, sites, frame, vertices, merging, std::move(places)), polygons);
+    faceGeometry(singularPoints, sites, frame, vertices, merging, std::move(places)), polygons);
 
   AxisComplex axis{};
   addPoints(polarBalls, sites, frame, vertices, merging, trimmed, polygons, axis);
   std::map<Edge, std::vector<Point>> dangling;
   EdgeSet sides, all;
-  for (const Polygon& polygon : polygons)
+  for (const FacePolygon& polygon : polygons)
   {
     const std::vector<Index>& corners = polygon.corners;
     for (std::size_t k = 0; k < corners.size(); ++k)

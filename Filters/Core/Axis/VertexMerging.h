@@ -2,24 +2,13 @@
 #ifndef medial_VertexMerging_h
 #define medial_VertexMerging_h
 
+#include "Axis/FacePolygon.h"
 #include "Base/Types.h"
 
 #include <vector>
 
 namespace medial
 {
-/// A face of the axis before it is triangulated; with two corners it is an edge.
-struct Polygon
-{
-  std::vector<Index> corners;
-  Index siteEdge; ///< the edge of the sites' triangulation it is dual to, or None
-  Triangle siteFacet = { None, None, None }; ///< corners of the facet that an edge is dual to
-};
-
-/// Cuts a closed walk where it visits a vertex again, drops pieces of one corner, and appends the
-/// rest to `polygons`. A cut is a chord of the face, contracted: the topology stays.
-void appendSimplePolygons(std::vector<Index> walk, Index siteEdge, std::vector<Polygon>& polygons);
-
 /// What mergeVertices did.
 struct MergedVertices
 {
@@ -36,8 +25,8 @@ struct MergedVertices
 /// are split until it closes one. Vertices in different pieces stay apart.
 /// @param points  of the vertices, in a frame
 /// @param ball    the pole that each vertex is, or None
-MergedVertices mergeVertices(
-  const std::vector<Point>& points, const std::vector<Index>& ball, std::vector<Polygon>& polygons);
+MergedVertices mergeVertices(const std::vector<Point>& points, const std::vector<Index>& ball,
+  std::vector<FacePolygon>& polygons);
 }
 
 #endif

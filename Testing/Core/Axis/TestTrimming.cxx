@@ -11,11 +11,11 @@
 
 using complexes::Drawing;
 using medial::Edge;
+using medial::FaceGeometry;
+using medial::FacePolygon;
 using medial::Index;
 using medial::None;
 using medial::Point;
-using medial::Polygon;
-using medial::SheetComplex;
 using medial::Triangle;
 
 namespace
@@ -23,8 +23,8 @@ namespace
 /// What is drawn as faces and edges, with the two sites of each face.
 struct Drawn
 {
-  SheetComplex complex;
-  std::vector<Polygon> polygons;
+  FaceGeometry geometry;
+  std::vector<FacePolygon> polygons;
 };
 
 /// All vertices are poles. `sitesOf(triangle)` are two of the sites.
@@ -36,7 +36,7 @@ Drawn drawn(const Drawing& drawing, std::vector<Point> sites, const SitesOf& sit
   for (const Triangle& t : axis.cells.triangles)
   {
     result.polygons.push_back({ { t[0], t[1], t[2] }, medial::count(result.polygons) });
-    result.complex.siteEdges.push_back(sitesOf(t));
+    result.geometry.siteEdges.push_back(sitesOf(t));
   }
   for (const Edge& edge : axis.cells.edges)
   {
@@ -45,10 +45,10 @@ Drawn drawn(const Drawing& drawing, std::vector<Point> sites, const SitesOf& sit
   return result;
 }
 
-medial::Betti bettiNumbers(const std::vector<Polygon>& polygons)
+medial::Betti bettiNumbers(const std::vector<FacePolygon>& polygons)
 {
   validators::Complex complex;
-  for (const Polygon& polygon : polygons)
+  for (const FacePolygon& polygon : polygons)
   {
     const std::vector<Index>& c = polygon.corners;
     if (c.size() == 2)
@@ -64,7 +64,7 @@ medial::Betti bettiNumbers(const std::vector<Polygon>& polygons)
 }
 
 /// Groups of faces over the sides that exactly two of them have.
-Index parts(const std::vector<Polygon>& polygons)
+Index parts(const std::vector<FacePolygon>& polygons)
 {
   std::map<Edge, std::vector<Index>> faces;
   for (Index p = 0; p < medial::count(polygons); ++p)
@@ -131,14 +131,14 @@ TEST(Trimming, KeepsTheBettiNumbersOfRandomComplexes)
     Drawn d = drawn(complexes::randomComplex(seed), sites, [&](const Triangle&) {
       return Edge{ static_cast<Index>(random() % 6), static_cast<Index>(random() % 6) };
     });
-    for (Index& ball : d.complex.ball)
+    for (Index& ball : d.geometry.ball)
     {
       ball = random() % 2 == 0 ? None : ball;
     }
-    std::vector<Polygon> polygons = d.polygons;
-    const std::vector<char> gone = medial::trimSheets(d.complex, polygons);
+    std::vector<FacePolygon> polygons = d.polygons;
+    const std::vector<char> gone = medial::trimSheets(d.geometry, polygons);
     EXPECT_EQ(bettiNumbers(polygons), bettiNumbers(d.polygons));
-    for (const Polygon& polygon : polygons)
+    for (const FacePolygon& polygon : polygons)
     {
       for (const Index v : polygon.corners)
       {
@@ -154,8 +154,8 @@ TEST(Trimming, CutsSheetsApartThatAreOneAroundTheEndOfAThird)
 {
   const Drawn d = threeSheets(6);
   ASSERT_EQ(parts(d.polygons), 2);
-  std::vector<Polygon> polygons = d.polygons;
-  medial::trimSheets(d.complex, polygons);
+  std::vector<FacePolygon> polygons = d.polygons;
+  medial::trimSheets(d.geometry, polygons);
   EXPECT_EQ(parts(polygons), 3);
   EXPECT_EQ(bettiNumbers(polygons), bettiNumbers(d.polygons));
   EXPECT_GE(polygons.size() + 4, d.polygons.size());
@@ -165,8 +165,8 @@ TEST(Trimming, LeavesSheetsThatEndTogether)
 {
   const Drawn d = threeSheets(7);
   ASSERT_EQ(parts(d.polygons), 3);
-  std::vector<Polygon> polygons = d.polygons;
-  medial::trimSheets(d.complex, polygons);
+  std::vector<FacePolygon> polygons = d.polygons;
+  medial::trimSheets(d.geometry, polygons);
   EXPECT_EQ(polygons.size(), d.polygons.size());
 }
 
@@ -174,8 +174,8 @@ TEST(Trimming, LeavesSheetsThatAreOneFarFromTheBorder)
 {
   const Drawn d = threeSheets(2); // the border is farther than the sites
   ASSERT_EQ(parts(d.polygons), 2);
-  std::vector<Polygon> polygons = d.polygons;
-  medial::trimSheets(d.complex, polygons);
+  std::vector<FacePolygon> polygons = d.polygons;
+  medial::trimSheets(d.geometry, polygons);
   EXPECT_EQ(polygons.size(), d.polygons.size());
 }
 
@@ -192,9 +192,9 @@ TEST(Trimming, LeavesOutPiecesWithoutAPoleOfTheirOwn)
     Drawn d = drawn(drawing, sites, [tip](const Triangle& t) {
       return t[0] == tip || t[1] == tip || t[2] == tip ? Edge{ 2, 3 } : Edge{ 0, 1 };
     });
-    d.complex.ball[tip] = isPole ? d.complex.ball[tip] : None;
-    std::vector<Polygon> polygons = d.polygons;
-    const std::vector<char> gone = medial::trimSheets(d.complex, polygons);
+    d.geometry.ball[tip] = isPole ? d.geometry.ball[tip] : None;
+    std::vector<FacePolygon> polygons = d.polygons;
+    const std::vector<char> gone = medial::trimSheets(d.geometry, polygons);
     EXPECT_EQ(polygons.size() + (isPole ? 0 : 1), d.polygons.size());
     EXPECT_EQ(gone[tip] == 0, isPole);
   }

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Axis/SheetSeparation.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+// A seam is a side where three sheets meet. Two sheets are connected around the end of the third one
+// if a walk around an end of the seam leads from one to the other, over sides with exactly two faces in
+// sheets. A cut along this walk takes one face at a time, so that the topology stays, and pieces are
+// found again after each round, because a collapse makes new borders and so new slivers.
+//
+// With s seams, each round takes time linear in the faces, and a walk takes time quadratic in the faces
+// at one vertex, of which there are few. Each round but the last collapses a face.
+
+namespace medial
+{
+namespace
+{
+class Separation
+{
+public:
+  Separation(FaceComplex& faceComplex, const FaceGeometry& faceGeometry)
+    : faces(faceComplex)
+    , geometry(faceGeometry)
+    , sheets(faceComplex, faceGeometry)
+  {
+  }
+
+  void run()
+  {
+    // Candidates, slivers included: what turns at a side never changes, so no other side gets a seam.
+    std::vector<Index> seams;
+    for (Index s = 0; s < this->faces.sideCount(); ++s)
+    {
+      if (this->faces.faceCount(s) > 2 && this->sheets.isTripod(s, this->faces.facesAt(s)))
+      {
+        seams.push_back(s);
+      }
+    }
+    for (bool changed = true; changed;)
+    {
+      changed = false;
+      this->sheets.findPieces();
+      for (const Index s : seams)
+      {
+        for (const Index v : this->faces.ends(s))
+        {
+          while (this->sheets.isSeam(s) && this->separate(s, v))
+          {
+            changed = true;
+          }
+        }
+      }
+    }
+  }
+
+private:
+  /// Takes a face away from between two sheets of a seam that are one around its end.
+  bool separate(Index seam, Index vertex)
+  {
+    const std::vector<Index> at = this->sheets.sheetsAt(seam);
+    for (std::size_t i = 0; i < at.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        if (this->sheets.turns(seam, at[i], at[j]))
+        {
+          const std::vector<Index> path = this->around(seam, vertex, at[i], at[j]);
+          if (!path.empty())
+          {
+            return this->cut(path, vertex);
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  /// The faces that lead around a vertex, over sides without a third sheet, from one face at a seam to
+  /// another, both included; none where there is no way.
+  std::vector<Index> around(Index seam, Index vertex, Index from, Index to)
+  {
+    struct Step
+    {
+      Index face, before; ///< and the step it was reached from
+    };
+    std::vector<Step> steps{ { from, None } };
+    for (Index i = 0; i < count(steps); ++i)
+    {
+      if (steps[i].face == to)
+      {
+        std::vector<Index> path;
+        for (Index k = i; k != None; k = steps[k].before)
+        {
+          path.push_back(steps[k].face);
+        }
+        return path;
+      }
+      for (const Index s : this->faces.sidesOf(steps[i].face))
+      {
+        const Edge& ends = this->faces.ends(s);
+        const bool isHere = s != seam && (ends[0] == vertex || ends[1] == vertex);
+        const std::vector<Index> at = isHere ? this->sheets.sheetsAt(s) : std::vector<Index>{};
+        for (const Index q : at)
+        {
+          const auto isQ = [q](const Step& step) { return step.face == q; };
+          if (at.size() == 2 && std::none_of(steps.begin(), steps.end(), isQ))
+          {
+            steps.push_back({ q, i });
+          }
+        }
+      }
+    }
+    return {};
+  }
+
+  /// Collapses the nearest face with a free side to a path around a vertex, in its ball; of several the
+  /// shallowest. The ends of the path are at the seam: they count only if there are no others.
+  bool cut(const std::vector<Index>& path, Index vertex)
+  {
+    const double reach =
+      std::max(this->radius(path.front(), vertex), this->radius(path.back(), vertex));
+    std::vector<Index> reached = path;
+    if (path.size() > 2)
+    {
+      reached.assign(path.begin() + 1, path.end() - 1);
+    }
+    for (std::size_t begin = 0; begin < reached.size();)
+    {
+      const std::size_t end = reached.size();
+      Index best = None;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Index p = reached[i];
+        if (this->faces.freeSide(p) != None &&
+          (best == None || this->meanRadius(p) < this->meanRadius(best)))
+        {
+          best = p;
+        }
+      }
+      if (best != None)
+      {
+        return this->faces.collapse(best);
+      }
+      for (; begin < end; ++begin)
+      {
+        this->reachNext(reached[begin], vertex, reach, reached);
+      }
+    }
+    return false;
+  }
+
+  /// Appends the faces next to one that have a corner near a vertex.
+  void reachNext(Index face, Index vertex, double reach, std::vector<Index>& reached) const
+  {
+    const auto isNear = [&](Index v) {
+      return (this->geometry.points[v] - this->geometry.points[vertex]).norm() < reach;
+    };
+    for (const Index s : this->faces.sidesOf(face))
+    {
+      for (const Index q :
+        this->faces.faceCount(s) == 2 ? this->faces.facesAt(s) : std::vector<Index>{})
+      {
+        const std::vector<Index>& corners = this->faces.polygons[q].corners;
+        if (std::find(reached.begin(), reached.end(), q) == reached.end() &&
+          std::any_of(corners.begin(), corners.end(), isNear))
+        {
+          reached.push_back(q);
+        }
+      }
+    }
+  }
+
+  /// Of the maximal ball at a corner of a face.
+  double radius(Index polygon, Index vertex) const
+  {
+    const Index edge = this->faces.polygons[polygon].siteEdge;
+    if (edge == None)
+    {
+      return 0;
+    }
+    const Point& site = this->geometry.sites[this->geometry.siteEdges[edge][0]];
+    return (this->geometry.points[vertex] - site).norm();
+  }
+
+  /// Of the maximal balls at all corners: how deep in the solid the face is.
+  double meanRadius(Index polygon) const
+  {
+    const std::vector<Index>& corners = this->faces.polygons[polygon].corners;
+    const double sum = std::accumulate(corners.begin(), corners.end(), 0.0,
+      [&](double part, Index v) { return part + this->radius(polygon, v); });
+    return sum / count(corners);
+  }
+
+  FaceComplex& faces;
+  const FaceGeometry& geometry;
+  Sheets sheets;
+};
+}
+
+void separateSheets(FaceComplex& faces, const FaceGeometry& geometry)
+{
+  Separation(faces, geometry).run();
+}
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Axis/Sheets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace medial
+{
+Sheets::Sheets(const FaceComplex& faceComplex, const FaceGeometry& faceGeometry)
+  : faces(faceComplex)
+  , geometry(faceGeometry)
+  , pieces(0)
+{
+}
+
+void Sheets::findPieces()
+{
+  this->pieces = DisjointSets(count(this->faces.polygons));
+  for (Index s = 0; s < this->faces.sideCount(); ++s)
+  {
+    const std::vector<Index> at = this->faces.facesAt(s);
+    for (std::size_t i = 0; i < at.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        if (at.size() == 2 || !this->turns(s, at[j], at[i]))
+        {
+          this->pieces.unite(at[j], at[i]);
+        }
+      }
+    }
+  }
+  this->findSheets();
+}
+
+void Sheets::findSheets()
+{
+  std::vector<char> atBorder(this->faces.vertexCount(), 0);
+  for (Index s = 0; s < this->faces.sideCount(); ++s)
+  {
+    if (this->faces.faceCount(s) == 1)
+    {
+      atBorder[this->faces.ends(s)[0]] = atBorder[this->faces.ends(s)[1]] = 1;
+    }
+  }
+  this->isSheet.assign(this->faces.polygons.size(), 0);
+  for (Index p = 0; p < count(this->faces.polygons); ++p)
+  {
+    const std::vector<Index>& corners = this->faces.polygons[p].corners;
+    if (this->faces.isFace(p) &&
+      std::none_of(corners.begin(), corners.end(), [&](Index v) { return atBorder[v]; }))
+    {
+      this->isSheet[this->pieces.find(p)] = 1;
+    }
+  }
+}
+
+std::vector<Index> Sheets::sheetsAt(Index side)
+{
+  std::vector<Index> sheets = this->faces.facesAt(side);
+  sheets.erase(std::remove_if(sheets.begin(), sheets.end(),
+                 [this](Index p) { return !this->isSheet[this->pieces.find(p)]; }),
+    sheets.end());
+  return sheets;
+}
+
+/// Cosine of the angle, seen from a vertex, by which the site that moves farther moves from one face to
+/// another. The sites are paired so that they move least.
+double Sheets::cosine(Index vertex, const Edge& p, const Edge& q) const
+{
+  const auto between = [&](Index a, Index b) {
+    const Point& from = this->geometry.points[vertex];
+    const Point u = this->geometry.sites[a] - from, v = this->geometry.sites[b] - from;
+    return a == b ? 1 : u.dot(v) / std::sqrt(u.squaredNorm() * v.squaredNorm());
+  };
+  return std::max(std::min(between(p[0], q[0]), between(p[1], q[1])),
+    std::min(between(p[0], q[1]), between(p[1], q[0])));
+}
+
+bool Sheets::turns(Index side, Index p, Index q) const
+{
+  const Index a = this->faces.polygons[p].siteEdge, b = this->faces.polygons[q].siteEdge;
+  if (a == None || b == None)
+  {
+    return false;
+  }
+  const Edge &ofP = this->geometry.siteEdges[a], &ofQ = this->geometry.siteEdges[b];
+  const Edge& ends = this->faces.ends(side);
+  // All sites of a vertex are equally far from it: at 60 degrees two of them are as far from each other.
+  constexpr double cosineOf60Degrees = 0.5;
+  return std::min(this->cosine(ends[0], ofP, ofQ), this->cosine(ends[1], ofP, ofQ)) <
+    cosineOf60Degrees;
+}
+
+bool Sheets::isTripod(Index side, const std::vector<Index>& facesAtSide) const
+{
+  std::vector<Index> turning;
+  for (const Index p : facesAtSide)
+  {
+    if (std::all_of(
+          turning.begin(), turning.end(), [&](Index q) { return this->turns(side, p, q); }))
+    {
+      turning.push_back(p);
+    }
+  }
+  return turning.size() > 2;
+}
+
+bool Sheets::isSeam(Index side)
+{
+  return this->faces.faceCount(side) > 2 && this->isTripod(side, this->sheetsAt(side));
+}
+}

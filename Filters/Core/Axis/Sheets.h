@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_Sheets_h
+#define medial_Sheets_h
+
+#include "Axis/FaceComplex.h"
+#include "Base/DisjointSets.h"
+#include "Base/Types.h"
+
+#include <vector>
+
+namespace medial
+{
+/// Where the vertices of faces are, and what the faces are equally far from. In a frame.
+struct FaceGeometry
+{
+  std::vector<Point> points;   ///< of the vertices
+  std::vector<Index> ball;     ///< the pole that each vertex is, or None
+  std::vector<Point> sites;    ///< singular points
+  std::vector<Edge> siteEdges; ///< by FacePolygon::siteEdge: the two sites of a face
+};
+
+/// Pieces of faces: faces that are the only two at a side, or do not turn there, are one piece. A piece
+/// with a face that has no vertex at the border is a sheet, any other a sliver.
+///
+/// Two faces turn at a side if one of their sites moves, from one face to the other, farther than its
+/// distance from the side. For example, the three sheets of a solid with the cross-section of a star
+/// turn pairwise at the line where they meet; two faces beside a sliver do not.
+class Sheets
+{
+public:
+  /// No pieces yet.
+  /// @param faceComplex, faceGeometry  must outlive this
+  Sheets(const FaceComplex& faceComplex, const FaceGeometry& faceGeometry);
+
+  /// Finds the pieces of the faces that are there now, in linear time.
+  void findPieces();
+
+  /// The lowest face of a face's piece.
+  Index pieceOf(Index polygon) { return this->pieces.find(polygon); }
+
+  /// The faces at a side that are in sheets.
+  std::vector<Index> sheetsAt(Index side);
+
+  bool turns(Index side, Index p, Index q) const;
+
+  /// Are there three of these faces at a side that turn pairwise?
+  bool isTripod(Index side, const std::vector<Index>& facesAtSide) const;
+
+  /// Do three sheets meet at the side?
+  bool isSeam(Index side);
+
+private:
+  double cosine(Index vertex, const Edge& p, const Edge& q) const;
+  void findSheets();
+
+  const FaceComplex& faces;
+  const FaceGeometry& geometry;
+  DisjointSets pieces;       ///< of faces, when they were last found
+  std::vector<char> isSheet; ///< of the pieces by their lowest faces
+};
+}
+
+#endif
