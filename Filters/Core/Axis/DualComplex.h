@@ -6,16 +6,17 @@
 #include "Axis/Carving.h"
 #include "Axis/SingularPoints.h"
 #include "Axis/SiteTriangulation.h"
-#include "Base/Types.h"
+#include "Balls/PolarBalls.h"
+#include "Base/Frame.h"
 
 namespace medial
 {
-/// The Voronoi vertices, edges and faces dual to the cells, facets and edges of an open set.
+/// The Voronoi vertices, edges and faces dual to the cells, facets and edges of an open set, with the
+/// set's Betti numbers.
 ///
-/// Each vertex is there once: neighbouring cells on the same ball have the ball's pole, and
-/// neighbouring cells whose centres coincide have one centre (paper 3). Faces are triangulated
-/// (paper 4.1). Voronoi edges in no face become edges of their own. A Voronoi cell all of whose faces
-/// are there is opened by leaving out one of them, which is an exact collapse.
+/// Each vertex is there once (VoronoiFaces.h, VertexMerging.h), without slivers (Trimming.h); faces are
+/// triangulated (FaceTriangulation.h).
+/// @param frame  the one that `sites` are in
 AxisComplex dualComplex(const PolarBalls& polarBalls, const SingularPoints& singularPoints,
   const SiteTriangulation& sites, const OpenSet& set, const Frame& frame);
 }

@@ -23,8 +23,8 @@ struct FaceGeometry
 /// with a face that has no vertex at the border is a sheet, any other a sliver.
 ///
 /// Two faces turn at a side if one of their sites moves, from one face to the other, farther than its
-/// distance from the side. For example, the three sheets of a solid with the cross-section of a star
-/// turn pairwise at the line where they meet; two faces beside a sliver do not.
+/// distance from the side. For example, the three sheets of a solid with a Y as cross-section turn
+/// pairwise at the line where they meet; neighbouring faces of one sheet do not.
 class Sheets
 {
 public:
