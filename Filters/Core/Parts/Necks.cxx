@@ -5,8 +5,18 @@
 #include "Base/Lists.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
+#include <numeric>
 #include <utility>
+
+// Bodies grow one after the other, each from the thickest point of a piece of what is left. What a growth
+// leaves over of its piece falls into new pieces, so each point is taken by exactly one growth. A growth
+// that is no limb, because it is too thick or its cut too long, belongs to the body next to it.
+//
+// Each growth takes O(m log m) time for the m points of its piece. With few limbs, as usual, this is
+// O(n log n) for the n points of the axis.
 
 namespace medial
 {
@@ -19,53 +29,117 @@ constexpr double longestCut = 20; ///< its square / area cut off
 /// The points that share an edge with each point, ascending.
 IndexLists neighborsOfPoints(const AxisEdges& edges, Index pointCount)
 {
-  std::vector<Edge> both;
-  for (const Edge& edge : edges.points)
-  {
-    both.push_back(edge);
-    both.push_back({ edge[1], edge[0] });
-  }
-  std::sort(both.begin(), both.end());
-  IndexLists result;
-  auto next = both.begin();
-  for (Index p = 0; p < pointCount; ++p)
-  {
-    for (; next != both.end() && (*next)[0] == p; ++next)
+  IndexLists result = listsByKey(pointCount, [&edges](const auto& add) {
+    for (const Edge& edge : edges.points)
     {
-      result.items.push_back((*next)[1]);
+      add(edge[0], edge[1]);
+      add(edge[1], edge[0]);
     }
-    result.close();
+  });
+  result.sortEach();
+  return result;
+}
+
+/// The order in which points are taken: large radii first, of equal ones the lower number.
+struct Thickness
+{
+  const std::vector<double>& radii;
+
+  bool isThicker(Index a, Index b) const
+  {
+    return this->radii[a] > this->radii[b] || (this->radii[a] == this->radii[b] && a < b);
+  }
+
+  /// The corner that decides to which body a cell belongs.
+  template <typename Corners>
+  Index thickest(const Corners& corners) const
+  {
+    return *std::min_element(
+      corners.begin(), corners.end(), [this](Index a, Index b) { return this->isThicker(a, b); });
+  }
+};
+
+/// Cuts points into pieces, at their gaps and, if asked for, at dips of the radius. Each point goes to
+/// the peak that the steepest way up leads to. Where ways to two peaks meet, the lower peak is part of
+/// the higher one unless the radius dips there.
+/// @return  by their peaks' numbers, the points of each thickest first
+std::vector<std::vector<Index>> piecesOf(std::vector<Index> points, const Thickness& thickness,
+  const IndexLists& neighbors, bool cutsAtDips)
+{
+  std::sort(points.begin(), points.end(),
+    [&thickness](Index a, Index b) { return thickness.isThicker(a, b); });
+  std::map<Index, Index> higher; // peak: the peak it belongs to; point: a peak
+  const auto peakOf = [&higher](Index p) {
+    while (higher.at(p) != p)
+    {
+      p = higher.at(p);
+    }
+    return p;
+  };
+  for (const Index p : points)
+  {
+    // Thicker points have their peaks already. All of them that are next to p meet here.
+    Index up = None, highest = None;
+    std::vector<Index> peaks;
+    for (const Index n : neighbors[p])
+    {
+      if (higher.count(n))
+      {
+        up = up == None || thickness.isThicker(n, up) ? n : up;
+        peaks.push_back(peakOf(n));
+        const Index peak = peaks.back();
+        highest = highest == None || thickness.isThicker(peak, highest) ? peak : highest;
+      }
+    }
+    higher[p] = up == None ? p : peakOf(up);
+    for (const Index peak : peaks)
+    {
+      const bool isDip = thickness.radii[p] <= dipRatio * thickness.radii[peak];
+      if (peak != highest && !(cutsAtDips && isDip))
+      {
+        higher[peak] = highest;
+      }
+    }
+  }
+  std::map<Index, std::vector<Index>> pieces;
+  for (const Index p : points)
+  {
+    pieces[peakOf(p)].push_back(p);
+  }
+  std::vector<std::vector<Index>> result;
+  for (auto& piece : pieces)
+  {
+    result.push_back(std::move(piece.second));
   }
   return result;
 }
 
+/// Grows bodies, the one after the other, until each point is in one.
 class Anatomy
 {
 public:
-  Anatomy(const MedialAxis& theAxis, const AxisEdges& theEdges, double theRatio)
-    : axis(theAxis)
-    , edges(theEdges)
-    , ratio(theRatio)
-    , neighbors(neighborsOfPoints(theEdges, count(theAxis.points)))
-    , trianglesOfPoint(count(theAxis.points))
-    , grownIn(theAxis.points.size(), None)
-    , pieceOf(theAxis.points.size(), None)
+  Anatomy(const MedialAxis& medialAxis, const AxisEdges& axisEdges, double neckRatio)
+    : axis(medialAxis)
+    , edges(axisEdges)
+    , ratio(neckRatio)
+    , thickness{ medialAxis.radii }
+    , neighbors(neighborsOfPoints(axisEdges, count(medialAxis.points)))
+    , grownIn(medialAxis.points.size(), None)
+    , pieceOf(medialAxis.points.size(), None)
   {
-    for (Index t = 0; t < count(this->axis.cells.triangles); ++t)
-    {
-      const Triangle& corners = this->axis.cells.triangles[t];
-      this->trianglesOfPoint[this->thickest(corners)].push_back(t);
-    }
+    this->trianglesOfPoint = listsByKey(count(this->axis.points), [this](const auto& add) {
+      for (Index t = 0; t < count(this->axis.cells.triangles); ++t)
+      {
+        add(this->thickness.thickest(this->axis.cells.triangles[t]), t);
+      }
+    });
   }
 
   Bodies run()
   {
-    std::vector<Index> all(this->axis.points.size());
-    for (Index p = 0; p < count(all); ++p)
-    {
-      all[p] = p;
-    }
-    this->addPieces(std::move(all), None);
+    std::vector<Index> points(this->axis.points.size());
+    std::iota(points.begin(), points.end(), 0);
+    this->addPieces(std::move(points), None);
     while (!this->todo.empty())
     {
       const Piece piece = std::move(this->todo.back());
@@ -89,67 +163,14 @@ private:
     double neckRatio; ///< of a limb, else 1
   };
 
-  bool isThicker(Index a, Index b) const
-  {
-    const std::vector<double>& radii = this->axis.radii;
-    return radii[a] > radii[b] || (radii[a] == radii[b] && a < b);
-  }
-
-  /// The corner that decides to which body a cell belongs.
-  template <typename Corners>
-  Index thickest(const Corners& corners) const
-  {
-    return *std::min_element(
-      corners.begin(), corners.end(), [this](Index a, Index b) { return this->isThicker(a, b); });
-  }
-
-  /// Cuts what is left into pieces, at its gaps and, next to a growth, at its dips: each point goes to
-  /// the peak that the steepest way up leads to, and the lower one of two peaks is none if there is no
-  /// dip on the way.
+  /// What is next to a body is cut at dips, too: it may be several limbs that touch.
   void addPieces(std::vector<Index> points, Index nextTo)
   {
-    std::sort(
-      points.begin(), points.end(), [this](Index a, Index b) { return this->isThicker(a, b); });
-    std::map<Index, Index> higher; // peak: the peak it belongs to; point: a peak
-    const auto peakOf = [&higher](Index p) {
-      while (higher.at(p) != p)
-      {
-        p = higher.at(p);
-      }
-      return p;
-    };
-    for (const Index p : points)
+    const bool cutsAtDips = nextTo != None;
+    for (std::vector<Index>& piece :
+      piecesOf(std::move(points), this->thickness, this->neighbors, cutsAtDips))
     {
-      Index up = None, highest = None;
-      std::vector<Index> peaks;
-      for (const Index n : this->neighbors[p])
-      {
-        if (higher.count(n))
-        {
-          up = up == None || this->isThicker(n, up) ? n : up;
-          peaks.push_back(peakOf(n));
-          highest =
-            highest == None || this->isThicker(peaks.back(), highest) ? peaks.back() : highest;
-        }
-      }
-      higher[p] = up == None ? p : peakOf(up);
-      for (const Index peak : peaks)
-      {
-        const bool isDip = this->axis.radii[p] <= dipRatio * this->axis.radii[peak];
-        if (peak != highest && (nextTo == None || !isDip))
-        {
-          higher[peak] = highest;
-        }
-      }
-    }
-    std::map<Index, std::vector<Index>> pieces;
-    for (const Index p : points)
-    {
-      pieces[peakOf(p)].push_back(p);
-    }
-    for (auto& piece : pieces)
-    {
-      this->todo.push_back({ std::move(piece.second), nextTo });
+      this->todo.push_back({ std::move(piece), nextTo });
     }
   }
 
@@ -196,12 +217,13 @@ private:
       }
     };
     spread([&](Index p) { return this->axis.radii[p] >= trunkRatio * radius; });
+    // What lies inside the balls of the trunk adds no shape of its own: it can be no limb.
     std::vector<Ball> balls;
     for (const Index p : grown)
     {
       balls.push_back({ this->axis.points[p], this->axis.radii[p] });
     }
-    constexpr Index all = 0, none = 1; // groups
+    constexpr Index all = 0, none = 1; // groups of balls: all are in one, none is left out
     const BallTree tree(balls, std::vector<Index>(balls.size(), all));
     spread([&](Index p) { return tree.protrusion({ this->axis.points[p], 0 }, none) <= 0; });
     return grown;
@@ -231,7 +253,7 @@ private:
     bool hasOther = false;
     for (const Index t : this->edges.triangles[edge])
     {
-      const Index top = this->thickest(this->axis.cells.triangles[t]);
+      const Index top = this->thickness.thickest(this->axis.cells.triangles[t]);
       if (t < triangle && this->grownIn[top] == number)
       {
         return false;
@@ -260,7 +282,7 @@ private:
       }
     }
     const auto add = [&](const auto& corners) {
-      const Index growth = this->grownIn[this->thickest(corners)];
+      const Index growth = this->grownIn[this->thickness.thickest(corners)];
       bodies.ofCell.push_back(numbers[this->growths[growth].body]);
     };
     for (const Index vertex : this->axis.cells.vertices)
@@ -274,10 +296,11 @@ private:
 
   const MedialAxis& axis;
   const AxisEdges& edges;
-  double ratio;
+  double ratio; ///< of the largest radii of a limb and of its body, at most
+  Thickness thickness;
   IndexLists neighbors;
-  std::vector<std::vector<Index>> trianglesOfPoint; ///< those that it is the thickest corner of
-  std::vector<Index> grownIn, pieceOf;              ///< for each point the growth; None: not yet
+  IndexLists trianglesOfPoint;         ///< those that it is the thickest corner of
+  std::vector<Index> grownIn, pieceOf; ///< for each point the growth; None: not yet
   std::vector<Piece> todo;
   std::vector<Growth> growths;
 };
