@@ -19,6 +19,7 @@ struct AxisEdges
   std::vector<Index> ofDangling;    ///< the edge that each of AxisCells::edges is
 };
 
+/// Takes linear time but for sorting the few edges at each point.
 AxisEdges axisEdges(const AxisCells& cells);
 }
 

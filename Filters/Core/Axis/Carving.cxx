@@ -5,6 +5,14 @@
 
 #include <algorithm>
 
+// The set begins with all candidates and shrinks to the core and what holds it together. A cell is taken
+// away if what it shares with the outside is a disc or a smaller contractible piece: then neither the set
+// nor the outside changes its topology. So the Betti numbers of the set are those it began with, whatever
+// the order. The order decides what stays: shallow cells go first, since the axis is deep inside.
+//
+// A cell that can't go may be able to when its neighbours have gone, so passes are repeated until nothing
+// changes. A pass takes time linear in the candidates that are left; few passes do.
+
 namespace medial
 {
 namespace
@@ -34,6 +42,9 @@ bool isInFacet(int k, int i)
   return cellEdges[k][0] != i && cellEdges[k][1] != i;
 }
 
+/// Can the cell go without a change of topology? What it shares with the outside must be connected and
+/// have Euler characteristic 1. On the boundary of a tetrahedron that is a contractible piece: the whole
+/// boundary has 2, and a piece with a hole 0 or less.
 bool isSimple(
   const SiteTriangulation& sites, const OpenSet& set, const Outside& outside, Index cell)
 {
@@ -183,6 +194,7 @@ Betti bettiNumbers(const SiteTriangulation& sites, const OpenSet& set)
   {
     edges += !edge;
   }
+  // By Alexander duality; the open set's Euler characteristic then gives the tunnels.
   const Index b2 = closedRestPieces(sites, set, outside) - 1;
   return { b0, b0 + b2 - (cells - facets / 2 + edges - vertices), b2 };
 }

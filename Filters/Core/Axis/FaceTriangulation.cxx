@@ -67,6 +67,7 @@ void addTriangles(const std::vector<FacePolygon>& polygons, const SiteTriangulat
     {
       radius += axis.radii[p] / static_cast<double>(polygon.corners.size());
     }
+    // Two polygons may have the same three corners; such a triangle counts for the first of them.
     for (const Triangle& triangle : triangulate(polygon.corners, axis.points, edges))
     {
       Triangle sorted = triangle;

@@ -21,7 +21,8 @@ namespace medial
 {
 namespace
 {
-/// How deep candidates must be, in the order tried: the first that gives the right topology counts.
+/// How deep candidates must be, in the order tried: the first that gives the right topology
+/// counts. Smaller values may close gaps that are in the solid, larger ones open gaps that are not.
 constexpr double kappas[] = { 0.2, 0.1, 0.05, 0, 0.3, 0.5, 0.8 };
 
 /// An axis of which nothing else is known yet.
@@ -44,6 +45,7 @@ MedialAxis axisFromSites(
   for (const double kappa : kappas)
   {
     OpenSet set = insideCells(sites, kappa);
+    // Carving keeps the topology: a set with other Betti numbers can't give the right axis.
     const bool promising = bettiNumbers(sites, set) == shape.betti;
     if (!promising && (best || kappa != kappas[std::size(kappas) - 1]))
     {
@@ -65,19 +67,21 @@ MedialAxis axisFromSites(
   return *best;
 }
 
-/// The inner balls that share a sample with each inner ball.
-std::vector<std::vector<Index>> neighbors(
-  const PolarBalls& polarBalls, const std::vector<Index>& of)
+/// The inner balls that share a sample with each of some inner balls.
+IndexLists neighbors(const PolarBalls& polarBalls, const std::vector<Index>& innerBalls)
 {
   const std::vector<std::vector<Index>> ballsOfSample = innerBallsOfSamples(polarBalls);
-  std::vector<std::vector<Index>> result(of.size());
-  for (std::size_t i = 0; i < of.size(); ++i)
+  IndexLists result;
+  std::vector<Index> near;
+  for (const Index ball : innerBalls)
   {
-    for (const Index s : polarBalls.ballSamples[of[i]])
+    near.clear();
+    for (const Index s : polarBalls.ballSamples[ball])
     {
-      result[i].insert(result[i].end(), ballsOfSample[s].begin(), ballsOfSample[s].end());
+      near.insert(near.end(), ballsOfSample[s].begin(), ballsOfSample[s].end());
     }
-    sortUnique(result[i]);
+    sortUnique(near);
+    result.append(near);
   }
   return result;
 }
@@ -102,12 +106,12 @@ std::vector<Index> owners(const PolarBalls& polarBalls, const std::vector<Index>
       todo.push_back(b);
     }
   }
-  const std::vector<std::vector<Index>> around = neighbors(polarBalls, todo);
+  const IndexLists around = neighbors(polarBalls, todo);
   for (bool changed = true; changed;)
   {
     changed = false;
     const std::vector<Index> before = owner;
-    for (std::size_t i = 0; i < todo.size(); ++i)
+    for (Index i = 0; i < count(todo); ++i)
     {
       double deepest = -std::numeric_limits<double>::infinity();
       for (const Index n : around[i])

@@ -29,7 +29,8 @@ struct MedialAxis : AxisComplex
   Betti betti;      ///< of points and cells above, computed from them
   bool certificate; ///< betti == powerShapeBetti
   bool fallback;    ///< made by collapse of the power shape, not from the singular points
-  double kappa;     ///< which candidates were taken, see Filters/README.md; -1 with the fallback
+  double kappa;     ///< least depth of the candidates that were taken, see insideCells() in
+                    ///< Carving.h and depth in SiteTriangulation.h; -1 with the fallback
 };
 
 /// What to do where the axis from the singular points does not have the power shape's topology.

@@ -7,6 +7,14 @@
 #include <numeric>
 #include <queue>
 
+// A triangle of one tetrahedron alone is free. Removing it together with the tetrahedron is a collapse,
+// which keeps the topology and may free other triangles of the neighbours. A priority queue takes the
+// largest free triangle first. Each solid piece has a free triangle as long as it has a tetrahedron, so
+// none is left in the end.
+//
+// For n tetrahedra this takes O(n log n) time: each is offered at most once for each of its triangles and
+// neighbours. Entries of the queue may be out of date; the cell is then gone.
+
 namespace medial
 {
 namespace
@@ -125,7 +133,7 @@ private:
   std::priority_queue<Candidate> queue;
 };
 
-/// The edges of the shape that are sides of none of the triangles.
+/// The edges of the shape that are sides of none of the triangles: where the shape is only a curve.
 std::vector<Edge> looseEdges(
   const PolarBalls& polarBalls, const PowerShape& shape, const std::vector<Triangle>& triangles)
 {

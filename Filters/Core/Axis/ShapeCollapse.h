@@ -8,8 +8,8 @@
 
 namespace medial
 {
-/// The power shape with every tetrahedron collapsed through a free triangle. The topology is the power shape's, by construction; its
-/// sheets are rougher than the Voronoi faces.
+/// The power shape with every tetrahedron collapsed through a free triangle. The topology is
+/// the power shape's, by construction. The sheets are rougher than the Voronoi faces.
 AxisComplex collapsedShape(const PolarBalls& polarBalls, const PowerShape& shape);
 }
 

@@ -22,8 +22,9 @@ struct SingularPoints
   IndexLists balls;           ///< the inner balls whose spheres pass through it, ascending
 };
 
-/// The singular points of the power shape. A point that is a sample is known by the sample's id, any
-/// other by its three balls: identity never comes from coordinates (paper 3, Figure 4).
+/// The singular points of the power shape. If three balls share a sample where their spheres meet, that
+/// sample is the point. Any other point is known by its three balls. So two points are the same if their
+/// ids are, never because their coordinates are near (paper 3, Figure 4).
 SingularPoints singularPoints(
   const PolarBalls& polarBalls, const PowerShape& shape, const Execution& execution = {});
 }

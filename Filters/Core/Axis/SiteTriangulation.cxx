@@ -11,6 +11,14 @@
 #include <algorithm>
 #include <limits>
 
+// A Voronoi vertex of the sites is kept if it is inside the solid. Most are the poles of inner balls,
+// which the cell's corners share: that is decided by ids. Any other centre is located in the power shape.
+// Being in the shape decides for inside. Of the rest, centres that are nearer (in power) to an inner ball
+// than to an outer one may be inside; their depth says how likely that is, and Carving.h decides.
+//
+// The triangulation takes O(n log n) time for n sites as they come from surfaces. A cell is classified
+// by a walk through the power shape from a nearby ball, which crosses few cells.
+
 namespace medial
 {
 namespace
@@ -60,7 +68,7 @@ struct Classifier
     const Ball& sphere = result.spheres[c];
     if (!this->box.contains(sphere.center))
     {
-      return;
+      return; // no walk towards a centre that may be far off
     }
     const Tetrahedron& corners = result.mesh.cells[c];
     const Index cell = this->locator.locate(sphere.center, this->sites.balls[corners[0]][0]);

@@ -25,11 +25,15 @@ struct SiteTriangulation
   // One entry for each cell.
   std::vector<Ball> spheres; ///< circumspheres; the polar ball itself where the cell is on one
   std::vector<Index> onBall; ///< the inner ball that passes through all four corners, or None
-  std::vector<char> isCore;  ///< on a ball, or its centre is in the power shape
-  std::vector<double> depth; ///< circumradius / least, over the corners, of the largest inner ball
-                             ///< through the corner; negative where the cell can't be inside
+  std::vector<char> isCore;  ///< on a ball, or its centre is in the power shape: surely inside
+  /// How deep in the solid the cell's centre is, relative to the solid's thickness there: circumradius /
+  /// radius of the largest inner ball through a corner, for the corner where that is smallest. 1 for
+  /// cells on a ball, near 0 for centres close to the boundary, negative where the cell can't be inside.
+  std::vector<double> depth;
 };
 
+/// @param sites  of this shape
+/// @param frame  of the samples
 SiteTriangulation siteTriangulation(const PolarBalls& polarBalls, const PowerShape& shape,
   const SingularPoints& sites, const Frame& frame, const Execution& execution = {});
 }

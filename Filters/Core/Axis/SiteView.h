@@ -21,9 +21,9 @@ struct SiteView
 /// @param sites  at least two
 SiteView siteView(const Point& from, const std::vector<Point>& sites);
 
-/// The same where the sites aren't known, from the cell's corners: 1, 2 or 3 maximal balls. The spheres
-/// of three meet in two points, those of two in a circle, one has all of its own; the farthest two of
-/// these count. 0 where they don't meet.
+/// The same where the sites aren't known, from the cell's corners: 1, 2 or 3 maximal balls. The sites
+/// are then where the spheres of all corners meet: two points for three balls, a circle for two, the
+/// whole sphere for one. The two of these that are farthest apart count. 0 where the spheres don't meet.
 SiteView siteView(const std::vector<Ball>& corners);
 }
 

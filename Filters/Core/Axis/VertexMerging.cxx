@@ -13,7 +13,8 @@
 
 // Merging two vertices of a complex turns every path between them into a loop. The topology stays if
 // the merge fills exactly one of these loops, as if one path had been contracted. Each merge keeps this
-// invariant, so the Betti numbers of the polygons never change.
+// invariant as long as faces are discs, which they nearly always are; the axis's certificate checks the
+// outcome.
 //
 // Usual merges look at the polygons at two vertices only. The search for a path takes time linear in
 // the polygons, but is needed only where two vertices that coincide are far apart along the axis.
@@ -59,8 +60,8 @@ public:
   const std::vector<Edge>& midpoints() const { return this->polygons.midpoints(); }
 
 private:
-  /// How a loop through two vertices closes when they become one: a face that has both is cut, or
-  /// the edges to a common neighbour are folded together; neither: the vertices are neighbours.
+  /// How a merge of two vertices fills a loop: a face that has both is cut, or the edges to a common
+  /// neighbour are folded together; neither: the vertices are neighbours, and their edge is contracted.
   struct Closing
   {
     Index polygon, neighbor;
@@ -101,7 +102,7 @@ private:
     return result;
   }
 
-  /// Splits sides at b so that the loop stays open when b is merged: then b is no corner of that face,
+  /// Splits sides at b so that the merge does not fill this loop: then b is no corner of that face,
   /// or no neighbour of the common neighbour, any more.
   void prevent(const Closing& closing, Index b)
   {

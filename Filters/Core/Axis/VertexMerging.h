@@ -19,12 +19,13 @@ struct MergedVertices
 
 /// Merges the vertices that have the same pole, or coincide, into one without a change of topology.
 ///
-/// Merging two vertices makes a loop of each path between them. Exactly one such loop must be closed.
-/// The merge itself closes some: it cuts a common face, or folds together two edges to a common
-/// neighbour. Where it closes none, a new face fills the shortest loop; where it closes several, sides
-/// are split until it closes one. Vertices in different pieces stay apart.
-/// @param points  of the vertices, in a frame
-/// @param ball    the pole that each vertex is, or None
+/// Merging two vertices turns each path between them into a loop. Exactly one such loop must be filled.
+/// The merge itself fills some: it cuts a common face, or folds together two edges to a common
+/// neighbour. Where it fills none, a new face fills the shortest loop; where it fills several, sides
+/// are split until it fills one. Vertices in different pieces stay apart.
+/// @param points    of the vertices, in a frame
+/// @param ball      the pole that each vertex is, or None
+/// @param polygons  changed in place; may have corners among the new vertices afterwards
 MergedVertices mergeVertices(const std::vector<Point>& points, const std::vector<Index>& ball,
   std::vector<FacePolygon>& polygons);
 }

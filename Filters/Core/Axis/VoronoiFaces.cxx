@@ -7,6 +7,13 @@
 
 #include <algorithm>
 
+// A Voronoi face is in the dual complex if all cells around its Delaunay edge are in the set. A face is
+// found by a walk around the edge, so all faces together take time linear in the cells.
+//
+// Sites lie on the boundary of the solid, so nearly every site has a cell outside the set. If one has none,
+// its Voronoi cell would be a solid in the complex. The axis is to be a surface, so this cell is collapsed
+// through one of its faces, one that is not shared with another such cell.
+
 namespace medial
 {
 namespace
