@@ -78,6 +78,7 @@ void vtkMedialPrune::ClearIterations()
 {
   this->Lists->Schedule.clear();
   this->Lists->Fault.clear();
+  medial::setErrorMessage(this, "");
   this->Modified();
 }
 
@@ -92,6 +93,7 @@ void vtkMedialPrune::SetSchedule(const char* words)
     }
     this->Lists->Schedule = std::move(schedule);
     this->Lists->Fault.clear();
+    medial::setErrorMessage(this, "");
     this->Modified();
   }
   catch (const medial::InvalidInput& error)
@@ -132,6 +134,7 @@ void vtkMedialPrune::AddIterationByName(const char* measure, double threshold, i
 void vtkMedialPrune::RefuseSchedule(const std::string& fault)
 {
   this->Lists->Fault = fault;
+  medial::setErrorMessage(this, fault);
   vtkErrorMacro(<< fault);
   this->Modified();
 }

@@ -13,20 +13,25 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
+#include "vtkTrivialProducer.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <vector>
 
 vtkStandardNewMacro(vtkSimplifyShape);
 
 vtkSimplifyShape::vtkSimplifyShape()
 {
   this->SetNumberOfOutputPorts(4);
+  this->Balls->SetInputConnection(this->Samples->GetOutputPort());
   this->Axis->SetInputConnection(this->Balls->GetOutputPort());
   this->Prune->SetInputConnection(this->Axis->GetOutputPort());
   this->Parts->SetInputConnection(this->Prune->GetOutputPort());
   this->Crust->SetInputConnection(this->Balls->GetOutputPort());
   this->Crust->SetAxisConnection(this->Parts->GetOutputPort());
+  this->UnprunedParts->SetInputConnection(this->Axis->GetOutputPort());
+  this->UnprunedCrust->SetInputConnection(this->Balls->GetOutputPort());
 }
 
 vtkSimplifyShape::~vtkSimplifyShape() = default;
@@ -60,6 +65,7 @@ void vtkSimplifyShape::SetSplitAtNecks(bool split)
 {
   this->Prune->SetSplitAtNecks(split);
   this->Parts->SetSplitAtNecks(split);
+  this->UnprunedParts->SetSplitAtNecks(split);
 }
 
 bool vtkSimplifyShape::GetSplitAtNecks()
@@ -71,11 +77,28 @@ void vtkSimplifyShape::SetNeckRatio(double ratio)
 {
   this->Prune->SetNeckRatio(ratio);
   this->Parts->SetNeckRatio(ratio);
+  this->UnprunedParts->SetNeckRatio(ratio);
 }
 
 double vtkSimplifyShape::GetNeckRatio()
 {
   return this->Prune->GetNeckRatio();
+}
+
+void vtkSimplifyShape::SetMakeUnpruned(bool make)
+{
+  if (make != this->MakeUnpruned)
+  {
+    this->MakeUnpruned = make;
+    this->Prune->SetInputConnection(
+      make ? this->UnprunedParts->GetOutputPort() : this->Axis->GetOutputPort());
+    this->Modified();
+  }
+}
+
+vtkPolarBalls* vtkSimplifyShape::GetPolarBalls()
+{
+  return this->Balls;
 }
 
 vtkMedialAxis* vtkSimplifyShape::GetMedialAxis()
@@ -88,15 +111,37 @@ vtkMedialPrune* vtkSimplifyShape::GetMedialPrune()
   return this->Prune;
 }
 
+vtkMedialPartDecomposition* vtkSimplifyShape::GetMedialPartDecomposition()
+{
+  return this->Parts;
+}
+
 vtkPowerCrust* vtkSimplifyShape::GetPowerCrust()
 {
   return this->Crust;
 }
 
+vtkMedialPartDecomposition* vtkSimplifyShape::GetUnprunedPartDecomposition()
+{
+  return this->UnprunedParts;
+}
+
+vtkPowerCrust* vtkSimplifyShape::GetUnprunedPowerCrust()
+{
+  return this->UnprunedCrust;
+}
+
+const char* vtkSimplifyShape::GetErrorMessage()
+{
+  const char* message = medial::errorMessage(this);
+  return *message ? message : medial::errorMessage(this->Prune); // of a measure that it refused
+}
+
 vtkMTimeType vtkSimplifyShape::GetMTime()
 {
-  return std::max({ this->Superclass::GetMTime(), this->Axis->GetMTime(), this->Prune->GetMTime(),
-    this->Parts->GetMTime(), this->Crust->GetMTime() });
+  return std::max({ this->Superclass::GetMTime(), this->Balls->GetMTime(), this->Axis->GetMTime(),
+    this->Prune->GetMTime(), this->Parts->GetMTime(), this->Crust->GetMTime(),
+    this->UnprunedParts->GetMTime(), this->UnprunedCrust->GetMTime() });
 }
 
 int vtkSimplifyShape::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
@@ -117,7 +162,8 @@ int vtkSimplifyShape::RequestUpdateExtent(
   return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 
-/// Only samples that have changed make balls and axis again.
+/// Only samples that have changed make balls and axis again. They go to a producer of their own, since
+/// an input of the balls would change the balls and with them, while it works, this filter.
 void vtkSimplifyShape::SetSamples(vtkPointSet* input)
 {
   if (input->GetMTime() == this->SamplesTime)
@@ -126,22 +172,25 @@ void vtkSimplifyShape::SetSamples(vtkPointSet* input)
   }
   const auto samples = vtkSmartPointer<vtkPointSet>::Take(input->NewInstance());
   samples->ShallowCopy(input); // a copy has no pipeline behind it
-  this->Balls->SetInputData(samples);
+  this->Samples->SetOutput(samples);
   this->SamplesTime = input->GetMTime();
 }
 
 int vtkSimplifyShape::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  using Stages = std::vector<medial::Stage>;
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  const Stages stages = this->MakeUnpruned
+    ? Stages{ { this->Balls, 0.3 }, { this->Axis, 0.3 }, { this->UnprunedParts, 0.05 },
+        { this->Prune, 0.1 }, { this->Parts, 0.05 }, { this->UnprunedCrust, 0.1 },
+        { this->Crust, 0.1 } }
+    : Stages{ { this->Balls, 0.3 }, { this->Axis, 0.4 }, { this->Prune, 0.1 },
+        { this->Parts, 0.05 }, { this->Crust, 0.15 } };
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       this->SetSamples(input);
-      medial::runStage(this->Balls, execution.part(0, 0.3));
-      medial::runStage(this->Axis, execution.part(0.3, 0.7));
-      medial::runStage(this->Prune, execution.part(0.7, 0.8));
-      medial::runStage(this->Parts, execution.part(0.8, 0.85));
-      medial::runStage(this->Crust, execution.part(0.85, 1));
+      medial::runStages(stages, execution);
       vtkDataObject::GetData(outputVector, 0)->ShallowCopy(this->Crust->GetOutput());
       vtkDataObject::GetData(outputVector, 1)->ShallowCopy(this->Parts->GetOutput());
       vtkDataObject::GetData(outputVector, 2)->ShallowCopy(this->Parts->GetOutputDataObject(1));
@@ -152,10 +201,16 @@ int vtkSimplifyShape::RequestData(
 void vtkSimplifyShape::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MedialAxis:\n";
-  this->Axis->PrintSelf(os, indent.GetNextIndent());
-  os << indent << "MedialPrune:\n";
-  this->Prune->PrintSelf(os, indent.GetNextIndent());
-  os << indent << "PowerCrust:\n";
-  this->Crust->PrintSelf(os, indent.GetNextIndent());
+  const auto print = [&](const char* name, vtkAlgorithm* stage) {
+    os << indent << name << ":\n";
+    stage->PrintSelf(os, indent.GetNextIndent());
+  };
+  os << indent << "MakeUnpruned: " << (this->MakeUnpruned ? "on" : "off") << "\n";
+  print("PolarBalls", this->Balls);
+  print("MedialAxis", this->Axis);
+  print("MedialPrune", this->Prune);
+  print("MedialPartDecomposition", this->Parts);
+  print("PowerCrust", this->Crust);
+  print("UnprunedPartDecomposition", this->UnprunedParts);
+  print("UnprunedPowerCrust", this->UnprunedCrust);
 }

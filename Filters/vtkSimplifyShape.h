@@ -4,8 +4,8 @@
  * @brief   from points of a solid's boundary to a simplified closed surface
  *
  * The medial axis pipeline in one filter: vtkPolarBalls, vtkMedialAxis, vtkMedialPrune,
- * vtkMedialPartDecomposition and vtkPowerCrust, one after another. The methods below set what is
- * asked for most; everything else is set on the stages, which belong to the filter.
+ * vtkMedialPartDecomposition and vtkPowerCrust, one after another. The methods below set the
+ * properties that are needed most often. Set the others on the stages, which belong to the filter.
  *
  * Input: any vtkPointSet. Its points are the samples, see vtkPolarBalls.
  *
@@ -16,8 +16,8 @@
  *
  * Where only the schedule or another property has changed, the balls and the axis are not made again.
  *
- * An error of a stage leaves the outputs empty and sets the error code; the message is that of the
- * stage. Progress counts all stages. Under MPI the piece 0 holds everything.
+ * An error of a stage leaves the outputs empty and sets the error code; GetErrorMessage() tells the
+ * reason. Progress counts all stages. Under MPI the piece 0 holds everything.
  *
  * See R. Tam, W. Heidrich, "Shape simplification based on the medial axis transform", IEEE
  * Visualization 2003.
@@ -38,6 +38,7 @@ class vtkMedialPrune;
 class vtkPolarBalls;
 class vtkPointSet;
 class vtkPowerCrust;
+class vtkTrivialProducer;
 
 class VTKFILTERSMEDIAL_EXPORT vtkSimplifyShape : public vtkPolyDataAlgorithm
 {
@@ -79,15 +80,45 @@ public:
 
   ///@{
   /**
-   * The stages, for their other properties.
+   * Also make, for comparison, the parts of the axis before pruning and the power crust of all inner
+   * balls; see GetUnprunedPartDecomposition() and GetUnprunedPowerCrust(). The axis then has `PartId`
+   * when it reaches vtkMedialPrune, so that GetMedialPrune()->AddPartToRemove() can name parts by it.
+   * Outputs 0 to 3 do not depend on this property. Default off.
    */
+  void SetMakeUnpruned(bool make);
+  vtkGetMacro(MakeUnpruned, bool);
+  vtkBooleanMacro(MakeUnpruned, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The stages, in the order in which they run: to set their other properties and, after an update, to
+   * read their outputs. Their inputs are connected already; update this filter, not the stages.
+   */
+  vtkPolarBalls* GetPolarBalls();
   vtkMedialAxis* GetMedialAxis();
   vtkMedialPrune* GetMedialPrune();
-  vtkPowerCrust* GetPowerCrust();
+  vtkMedialPartDecomposition* GetMedialPartDecomposition(); ///< of the pruned axis
+  vtkPowerCrust* GetPowerCrust();                           ///< of the pruned axis
+  ///@}
+
+  ///@{
+  /**
+   * The additional stages that run while MakeUnpruned is on: the parts of the axis before pruning, and
+   * the power crust of all inner balls.
+   */
+  vtkMedialPartDecomposition* GetUnprunedPartDecomposition();
+  vtkPowerCrust* GetUnprunedPowerCrust();
   ///@}
 
   /**
-   * Also that of the stages.
+   * Why the last update failed, or why AddIteration() or AddIterationByName() refused a measure: the
+   * message without VTK's file, line and object. Empty if there was no error.
+   */
+  const char* GetErrorMessage();
+
+  /**
+   * The latest of its own and that of all stages.
    */
   vtkMTimeType GetMTime() override;
 
@@ -109,11 +140,15 @@ private:
   void SetSamples(vtkPointSet* input);
 
   vtkMTimeType SamplesTime = 0;
+  bool MakeUnpruned = false;
+  vtkNew<vtkTrivialProducer> Samples;
   vtkNew<vtkPolarBalls> Balls;
   vtkNew<vtkMedialAxis> Axis;
   vtkNew<vtkMedialPrune> Prune;
   vtkNew<vtkMedialPartDecomposition> Parts;
   vtkNew<vtkPowerCrust> Crust;
+  vtkNew<vtkMedialPartDecomposition> UnprunedParts;
+  vtkNew<vtkPowerCrust> UnprunedCrust;
 };
 
 #endif

@@ -13,6 +13,7 @@
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerVectorKey.h"
+#include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkSMPTools.h"
 #include "vtkSetGet.h"
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <exception>
 #include <mutex>
+#include <string>
 
 /// What a filter has to tell the pipeline around its one call of the core: pieces, progress, abort,
 /// threads, errors.
@@ -191,12 +193,34 @@ inline void setErrorCode(vtkAlgorithm* filter, unsigned long code)
   (filter->*&Access::SetErrorCode)(code);
 }
 
+/// The key under which a filter keeps its error message.
+inline vtkInformationStringKey* errorMessageKey()
+{
+  static auto* const key = vtkInformationStringKey::MakeKey("ERROR_MESSAGE", "MedialAxis");
+  return key;
+}
+
+/// The message of a filter's last error, as the core worded it; "" if there was no error. VTK's own
+/// error event has the message too, but within a text with file, line and object.
+inline const char* errorMessage(vtkAlgorithm* filter)
+{
+  const char* message = filter->GetInformation()->Get(errorMessageKey());
+  return message ? message : "";
+}
+
+/// Keeps the message of an error, or "" for none. This is no change of the filter: its MTime stays.
+inline void setErrorMessage(vtkAlgorithm* filter, const std::string& message)
+{
+  filter->GetInformation()->Set(errorMessageKey(), message);
+}
+
 /// Runs body(execution) on every rank and turns what it throws into a VTK error and empty outputs; the
 /// value is that of RequestData. Work that was stopped has empty outputs too, but is no error.
 template <typename Body>
 int reportErrorsOfAllRanks(vtkAlgorithm* filter, vtkInformationVector* outputs, const Body& body)
 {
   setErrorCode(filter, vtkErrorCode::NoError);
+  setErrorMessage(filter, "");
   filter->SetAbortExecute(0); // of an earlier execution; since VTK 9.2 nobody else does it
   emptyOutputs(outputs);
   try
@@ -213,6 +237,7 @@ int reportErrorsOfAllRanks(vtkAlgorithm* filter, vtkInformationVector* outputs, 
   {
     emptyOutputs(outputs);
     setErrorCode(filter, vtkErrorCode::UserError);
+    setErrorMessage(filter, error.what());
     vtkErrorWithObjectMacro(filter, << error.what());
     return 0;
   }

@@ -2,6 +2,7 @@
 #include "Pipeline/RunStage.h"
 
 #include "Base/Errors.h"
+#include "Pipeline/ReportErrors.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
@@ -10,13 +11,12 @@
 #include "vtkExecutive.h"
 #include "vtkNew.h"
 
-#include <string>
-
 namespace medial
 {
 namespace
 {
-/// What is heard of a filter while it works.
+/// Passes a filter's progress on and stops the filter when asked to. While it listens, VTK does not
+/// print the filter's errors.
 class Listener
 {
 public:
@@ -25,8 +25,11 @@ public:
     , Work(execution)
   {
     this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject* sender, unsigned long event, void* self, void* data) {
-      static_cast<Listener*>(self)->hear(sender, event, data);
+    this->Command->SetCallback([](vtkObject*, unsigned long event, void* self, void*) {
+      if (event == vtkCommand::ProgressEvent)
+      {
+        static_cast<Listener*>(self)->passProgressOn();
+      }
     });
     stage->AddObserver(vtkCommand::ProgressEvent, this->Command);
     stage->AddObserver(vtkCommand::ErrorEvent, this->Command);
@@ -39,32 +42,19 @@ public:
   }
 
   bool Stopped = false;
-  std::string Error;
 
 private:
-  void hear(vtkObject* sender, unsigned long event, void* data)
+  void passProgressOn()
   {
-    if (event == vtkCommand::ProgressEvent)
-    {
-      this->Stopped =
-        this->Stopped || (this->Work.progress && !this->Work.progress(this->Stage->GetProgress()));
-      this->Stage->SetAbortExecute(this->Stopped);
-    }
-    else if (sender == this->Stage && this->Error.empty())
-    {
-      // "ERROR: In file, line number\nclass (address): message\n\n"
-      const std::string text = static_cast<const char*>(data);
-      const std::size_t begin = text.find("): ");
-      this->Error = begin == std::string::npos ? text : text.substr(begin + 3);
-      this->Error.erase(this->Error.find_last_not_of('\n') + 1);
-    }
+    this->Stopped =
+      this->Stopped || (this->Work.progress && !this->Work.progress(this->Stage->GetProgress()));
+    this->Stage->SetAbortExecute(this->Stopped);
   }
 
   vtkAlgorithm* Stage;
   const Execution& Work;
   vtkNew<vtkCallbackCommand> Command;
 };
-}
 
 void runStage(vtkAlgorithm* stage, const Execution& execution)
 {
@@ -73,12 +63,23 @@ void runStage(vtkAlgorithm* stage, const Execution& execution)
   if (listener.Stopped)
   {
     stage->SetAbortExecute(0);
-    stage->Modified(); // its empty output isn't the answer
+    stage->Modified(); // its empty output is not the result: run it again at the next update
     throw Aborted();
   }
   if (stage->GetErrorCode() != vtkErrorCode::NoError)
   {
-    throw InvalidInput(listener.Error);
+    throw InvalidInput(errorMessage(stage));
+  }
+}
+}
+
+void runStages(const std::vector<Stage>& stages, const Execution& execution)
+{
+  double done = 0;
+  for (const Stage& stage : stages)
+  {
+    runStage(stage.filter, execution.part(done, done + stage.share));
+    done += stage.share;
   }
 }
 }

@@ -4,14 +4,23 @@
 
 #include "Base/Execution.h"
 
+#include <vector>
+
 class vtkAlgorithm;
 
 namespace medial
 {
-/// Updates a filter that works inside another one. Its progress goes to `execution`.
+/// A filter that works inside another one.
+struct Stage
+{
+  vtkAlgorithm* filter;
+  double share; ///< of the progress that the stages report together; the shares add up to 1
+};
+
+/// Updates the stages in order. Their progress goes to `execution`; nothing is printed.
 /// @throw Aborted       execution wants to stop
-/// @throw InvalidInput  the filter's first error; nothing is printed
-void runStage(vtkAlgorithm* stage, const Execution& execution);
+/// @throw InvalidInput  the error message of the first stage that fails
+void runStages(const std::vector<Stage>& stages, const Execution& execution);
 }
 
 #endif

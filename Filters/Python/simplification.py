@@ -5,8 +5,7 @@ from __future__ import annotations
 
 from typing import Any, Iterable, NamedTuple, Sequence
 
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.vtkCommonCore import VTK_STRING, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPointSet, vtkPolyData, vtkTable
 
 from .vtkFiltersMedial import vtkSimplifyShape
@@ -30,19 +29,17 @@ def simplify(points: Any, schedule: Iterable[Sequence] | None = None) -> Simplif
     Raises ValueError where the points or the schedule can't be used; the message says why.
     """
     filter = vtkSimplifyShape()
-    errors = []
-    note = calldata_type(VTK_STRING)(lambda _, __, text: errors.append(text))
     for sender in (filter, filter.GetMedialPrune(), filter.GetExecutive()):
-        sender.AddObserver("ErrorEvent", note)
+        sender.AddObserver("ErrorEvent", lambda *_: None)  # else VTK prints what is raised below
     filter.SetInputData(points if isinstance(points, vtkPointSet) else _cloud(points))
     if schedule is not None:
         filter.ClearIterations()
         for iteration in schedule:
             filter.AddIterationByName(*iteration)
-    if not errors:
+    if not filter.GetErrorMessage():
         filter.Update()
-    if errors:
-        raise ValueError(errors[0].partition("): ")[2].strip())
+    if filter.GetErrorMessage():
+        raise ValueError(filter.GetErrorMessage())
     return Simplified(*(filter.GetOutputDataObject(port) for port in range(4)))
 
 

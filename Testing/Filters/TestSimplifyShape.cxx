@@ -10,6 +10,10 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <sstream>
+#include <utility>
 
 namespace
 {
@@ -100,6 +104,147 @@ TEST(SimplifyShape, PassesItsPropertiesOn)
   parts->Update();
   EXPECT_TRUE(same(simplify->GetOutputDataObject(1), parts->GetOutput()));
   EXPECT_TRUE(same(simplify->GetOutputDataObject(2), parts->GetOutputDataObject(1)));
+}
+
+TEST(SimplifyShape, MakesTheUnprunedPartsAndCrustWhenAsked)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetInputData(cloud(smallBox().samples));
+  simplify->Update();
+  EXPECT_FALSE(simplify->GetMakeUnpruned());
+  EXPECT_TRUE(isEmpty(simplify->GetUnprunedPartDecomposition()->GetOutput()));
+  EXPECT_TRUE(isEmpty(simplify->GetUnprunedPowerCrust()->GetOutput()));
+  std::vector<vtkSmartPointer<vtkDataObject>> before;
+  for (int port = 0; port < 4; ++port)
+  {
+    before.emplace_back(
+      vtkSmartPointer<vtkDataObject>::Take(simplify->GetOutputDataObject(port)->NewInstance()));
+    before.back()->DeepCopy(simplify->GetOutputDataObject(port));
+  }
+  simplify->MakeUnprunedOn();
+  EXPECT_TRUE(simplify->GetMakeUnpruned());
+  simplify->Update();
+  for (int port = 0; port < 4; ++port)
+  {
+    EXPECT_TRUE(same(simplify->GetOutputDataObject(port), before[port])) << port;
+  }
+  vtkNew<vtkPowerCrust> crust;
+  crust->SetInputConnection(boxPipeline().balls->GetOutputPort());
+  crust->Update();
+  vtkMedialPartDecomposition* parts = simplify->GetUnprunedPartDecomposition();
+  EXPECT_TRUE(same(parts->GetOutput(), boxPipeline().parts->GetOutput()));
+  EXPECT_TRUE(same(parts->GetOutputDataObject(1), boxPipeline().parts->GetOutputDataObject(1)));
+  EXPECT_TRUE(same(simplify->GetUnprunedPowerCrust()->GetOutput(), crust->GetOutput()));
+}
+
+TEST(SimplifyShape, RemovesUnprunedPartsByTheirNumber)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetInputData(cloud(smallBox().samples));
+  simplify->ClearIterations();
+  simplify->GetMedialPrune()->SetTopologyToNone();
+  simplify->GetMedialPrune()->AddPartToRemove(0);
+  EXPECT_NE(onlyError(simplify).find("PartId"), std::string::npos);
+  simplify->MakeUnprunedOn();
+  simplify->Update();
+  EXPECT_STREQ(simplify->GetErrorMessage(), "");
+  EXPECT_LT(simplify->GetMedialPrune()->GetOutput()->GetNumberOfCells(),
+    simplify->GetUnprunedPartDecomposition()->GetOutput()->GetNumberOfCells());
+}
+
+TEST(SimplifyShape, StagesAreConnectedInOrder)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetInputData(cloud(smallBox().samples));
+  simplify->Update();
+  filterTest::Pipeline& pipeline = boxPipeline();
+  EXPECT_TRUE(same(simplify->GetPolarBalls()->GetOutput(), pipeline.balls->GetOutput()));
+  EXPECT_TRUE(same(simplify->GetMedialAxis()->GetOutput(), pipeline.axis->GetOutput()));
+  EXPECT_TRUE(same(simplify->GetMedialPrune()->GetOutput(), pipeline.prune->GetOutput()));
+  EXPECT_TRUE(
+    same(simplify->GetMedialPartDecomposition()->GetOutput(), simplify->GetOutputDataObject(1)));
+  EXPECT_TRUE(same(simplify->GetPowerCrust()->GetOutput(), simplify->GetOutput()));
+}
+
+/// The stages, and what their texts are called.
+std::vector<std::pair<std::string, vtkAlgorithm*>> stages(vtkSimplifyShape* simplify)
+{
+  return { { "PolarBalls", simplify->GetPolarBalls() }, { "MedialAxis", simplify->GetMedialAxis() },
+    { "MedialPrune", simplify->GetMedialPrune() },
+    { "MedialPartDecomposition", simplify->GetMedialPartDecomposition() },
+    { "PowerCrust", simplify->GetPowerCrust() },
+    { "UnprunedPartDecomposition", simplify->GetUnprunedPartDecomposition() },
+    { "UnprunedPowerCrust", simplify->GetUnprunedPowerCrust() } };
+}
+
+TEST(SimplifyShape, ChangesWithEachStageAndProperty)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  vtkMTimeType before = simplify->GetMTime();
+  for (const auto& [name, stage] : stages(simplify))
+  {
+    stage->Modified();
+    EXPECT_GT(simplify->GetMTime(), before) << name;
+    before = simplify->GetMTime();
+  }
+  simplify->MakeUnprunedOff();
+  EXPECT_EQ(simplify->GetMTime(), before);
+  simplify->MakeUnprunedOn();
+  EXPECT_GT(simplify->GetMTime(), before);
+}
+
+TEST(SimplifyShape, IsNotChangedByItsOwnWork)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetInputData(cloud(smallBox().samples));
+  simplify->MakeUnprunedOn();
+  const vtkMTimeType before = simplify->GetMTime();
+  simplify->Update();
+  EXPECT_EQ(simplify->GetMTime(), before);
+}
+
+TEST(SimplifyShape, PrintsAllStages)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  std::ostringstream text;
+  simplify->Print(text);
+  EXPECT_NE(text.str().find("\n  MakeUnpruned: off\n"), std::string::npos);
+  for (const auto& [name, stage] : stages(simplify))
+  {
+    EXPECT_NE(text.str().find("\n  " + name + ":\n    Debug: "), std::string::npos) << name;
+  }
+}
+
+TEST(SimplifyShape, TellsThePlainMessageOfAnError)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  EXPECT_STREQ(simplify->GetErrorMessage(), "");
+  simplify->SetInputData(cloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }));
+  const std::string told = onlyError(simplify);
+  const std::string message = simplify->GetErrorMessage();
+  EXPECT_EQ(message.find("ERROR"), std::string::npos);
+  EXPECT_NE(told.find("): " + message + "\n"), std::string::npos) << told;
+  simplify->SetInputData(cloud(smallBox().samples));
+  simplify->Update();
+  EXPECT_STREQ(simplify->GetErrorMessage(), "");
+}
+
+TEST(SimplifyShape, TellsOfAMeasureThatItRefuses)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetInputData(cloud(smallBox().samples));
+  {
+    const filterTest::ErrorLog log(simplify->GetMedialPrune());
+    simplify->AddIterationByName("Beauty", 1);
+    EXPECT_EQ(log.messages().size(), 1u);
+  }
+  const std::string refused = simplify->GetErrorMessage();
+  EXPECT_EQ(refused.find("there is no measure 'Beauty'"), 0u) << refused;
+  onlyError(simplify);
+  EXPECT_EQ(simplify->GetErrorMessage(), refused);
+  simplify->ClearIterations();
+  simplify->Update();
+  EXPECT_STREQ(simplify->GetErrorMessage(), "");
 }
 
 TEST(SimplifyShape, PassesTheErrorOfAStageOn)

@@ -4,12 +4,15 @@
 
 import ast
 import os
+import subprocess
+import sys
 import unittest
 
 import numpy
 
 import medialaxis
 from medialaxis import arrays, simplify
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 
 def ellipsoid(count=800):
@@ -49,6 +52,29 @@ class Simplify(unittest.TestCase):
             simplify(ellipsoid(), [("Beauty", 1)])
         with self.assertRaisesRegex(ValueError, "threshold"):
             simplify(ellipsoid(), [("Area", -1)])
+
+    def test_raises_the_plain_message_and_prints_nothing(self):
+        program = ("import numpy; from medialaxis import simplify\n"
+                   "points = numpy.random.default_rng(1).normal(size=(300, 3))\n"
+                   "for arguments in [(points[:3],), (points, [('Beauty', 1)]), (points, [('Area', -1)])]:\n"
+                   "    try: simplify(*arguments)\n"
+                   "    except ValueError as error: print(error)\n")
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+        self.assertEqual(done.stderr, "")
+        messages = done.stdout.splitlines()
+        self.assertEqual(len(messages), 3, done.stdout)
+        for message, word in zip(messages, ("points", "there is no measure 'Beauty'", "threshold")):
+            self.assertIn(word, message)
+            self.assertNotRegex(message, r"ERROR|line \d|\(0x")
+
+    def test_filter_tells_its_error(self):
+        filter = medialaxis.vtkSimplifyShape()
+        self.assertEqual(filter.GetErrorMessage(), "")
+        for sender in (filter, filter.GetExecutive()):
+            sender.AddObserver("ErrorEvent", lambda *_: None)
+        filter.SetInputData(vtkPolyData())
+        filter.Update()
+        self.assertIn("points", filter.GetErrorMessage())
 
     def test_has_a_stub_for_each_filter(self):
         folder = os.path.dirname(medialaxis.__file__)
