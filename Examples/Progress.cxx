@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Progress.h"
 
-#include "Errors.h"
 #include "Messages.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
 #include <vtkErrorCode.h>
+#include <vtkSmartPointer.h>
 
+#include <array>
 #include <chrono>
 #include <cstdio>
+#include <optional>
 #include <unistd.h>
 
 namespace
@@ -25,31 +27,6 @@ public:
     this->draw(0);
   }
 
-  void observe(vtkObject* caller, unsigned long, void*)
-  {
-    this->draw(static_cast<int>(100 * static_cast<vtkAlgorithm*>(caller)->GetProgress()));
-  }
-
-  /// Draws the full bar, with the time, and goes to the next line.
-  void finish(double seconds)
-  {
-    this->draw(100);
-    if (this->Visible)
-    {
-      std::fprintf(stderr, "%9.1f s\n", seconds);
-    }
-  }
-
-  /// Wipes the line, for an error to stand there.
-  void wipe()
-  {
-    if (this->Visible)
-    {
-      std::fprintf(stderr, "\r\033[K");
-    }
-  }
-
-private:
   void draw(int percent)
   {
     if (this->Visible && percent > this->Percent)
@@ -62,6 +39,26 @@ private:
     }
   }
 
+  /// Draws the full bar, with the time, and goes to the next line.
+  void finish(double seconds)
+  {
+    this->draw(100);
+    if (this->Visible)
+    {
+      std::fprintf(stderr, "%9.1f s\n", seconds);
+    }
+  }
+
+  /// Wipes the line, so that an error message can be printed there.
+  void wipe()
+  {
+    if (this->Visible)
+    {
+      std::fprintf(stderr, "\r\033[K");
+    }
+  }
+
+private:
   static constexpr int Width = 40;
   std::string Stage;
   bool Visible;
@@ -69,30 +66,98 @@ private:
 };
 }
 
-Progress::Progress(const std::string& subject, bool quiet)
-  : Subject(subject)
-  , Visible(!quiet && isatty(fileno(stderr)))
+/// One stage, from its StartEvent to its EndEvent.
+class Progress::Stage
+{
+public:
+  Stage(const std::string& name, vtkAlgorithm* filter, bool visible)
+    : Name(name)
+    , Filter(filter)
+    , Visible(visible)
+    , Observers{ filter->AddObserver(vtkCommand::StartEvent, this, &Stage::begin),
+      filter->AddObserver(vtkCommand::ProgressEvent, this, &Stage::draw),
+      filter->AddObserver(vtkCommand::EndEvent, this, &Stage::end) }
+  {
+  }
+  ~Stage()
+  {
+    for (const unsigned long observer : this->Observers)
+    {
+      this->Filter->RemoveObserver(observer);
+    }
+  }
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  double seconds() const { return this->Seconds; }
+  bool isOf(vtkAlgorithm* filter) const { return filter == this->Filter; }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void begin()
+  {
+    this->Line.emplace(this->Name, this->Visible);
+    this->Begin = Clock::now();
+  }
+
+  void draw()
+  {
+    if (this->Line)
+    {
+      this->Line->draw(static_cast<int>(100 * this->Filter->GetProgress()));
+    }
+  }
+
+  /// The stage's warnings are printed below its bar. Errors are kept for who updates the filter.
+  void end()
+  {
+    if (!this->Line)
+    {
+      return;
+    }
+    this->Seconds = std::chrono::duration<double>(Clock::now() - this->Begin).count();
+    if (this->Filter->GetErrorCode() != vtkErrorCode::NoError || !messages::error().empty())
+    {
+      this->Line->wipe();
+    }
+    else
+    {
+      this->Line->finish(this->Seconds);
+      messages::clear();
+    }
+    this->Line.reset();
+  }
+
+  std::string Name;
+  vtkSmartPointer<vtkAlgorithm> Filter;
+  bool Visible;
+  std::array<unsigned long, 3> Observers;
+  std::optional<Bar> Line; ///< while the stage runs
+  Clock::time_point Begin;
+  double Seconds = 0;
+};
+
+Progress::Progress(bool quiet)
+  : Visible(!quiet && isatty(fileno(stderr)))
 {
 }
 
-double Progress::run(const std::string& stage, vtkAlgorithm* filter)
+Progress::~Progress() = default;
+
+void Progress::watch(const std::string& name, vtkAlgorithm* stage)
 {
-  using Clock = std::chrono::steady_clock;
-  Bar bar(stage, this->Visible);
-  const unsigned long observer =
-    filter->AddObserver(vtkCommand::ProgressEvent, &bar, &Bar::observe);
-  const auto begin = Clock::now();
-  filter->Update();
-  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-  filter->RemoveObserver(observer);
-  if (filter->GetErrorCode() != vtkErrorCode::NoError || !messages::error().empty())
+  this->Stages.push_back(std::make_unique<Stage>(name, stage, this->Visible));
+}
+
+double Progress::seconds(vtkAlgorithm* stage) const
+{
+  for (const auto& watched : this->Stages)
   {
-    bar.wipe();
-    const std::string message = messages::error();
-    throw InputError(
-      this->Subject + ": " + (message.empty() ? stage + " failed without a reason" : message));
+    if (watched->isOf(stage))
+    {
+      return watched->seconds();
+    }
   }
-  bar.finish(seconds);
-  messages::clear();
-  return seconds;
+  return 0;
 }

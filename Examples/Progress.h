@@ -2,24 +2,32 @@
 #ifndef Progress_h
 #define Progress_h
 
+#include <memory>
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 
-/// Runs filters, with a bar for each of them where somebody watches at a terminal.
+/// Measures the time of each stage of a filter and, if standard error is a terminal, draws a bar for
+/// it while it runs.
 class Progress
 {
 public:
-  /// @param subject  what errors are about: the input
-  Progress(const std::string& subject, bool quiet);
+  explicit Progress(bool quiet);
+  ~Progress();
 
-  /// Updates the filter and returns the seconds it took.
-  /// @throw InputError  the filter reported an error; the message is the filter's
-  double run(const std::string& stage, vtkAlgorithm* filter);
+  /// Watches a stage from now on.
+  /// @param name  stands before the bar
+  void watch(const std::string& name, vtkAlgorithm* stage);
+
+  /// How long a watched stage took when it last ran; 0 if it has not run.
+  double seconds(vtkAlgorithm* stage) const;
 
 private:
-  std::string Subject;
+  class Stage;
+
   bool Visible;
+  std::vector<std::unique_ptr<Stage>> Stages;
 };
 
 #endif

@@ -2,9 +2,16 @@
 #include "Report.h"
 
 #include "Arguments.h"
-#include "Pipeline.h"
+#include "Progress.h"
+#include "Tables.h"
 
+#include <vtkMedialAxis.h>
+#include <vtkMedialPartDecomposition.h>
+#include <vtkMedialPrune.h>
+#include <vtkPolarBalls.h>
 #include <vtkPolyData.h>
+#include <vtkPowerCrust.h>
+#include <vtkSimplifyShape.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -111,35 +118,38 @@ std::string iterations(vtkTable* history)
   return rows.empty() ? "[]" : "[\n    " + joined(rows, ",\n    ") + "\n  ]";
 }
 
-std::string balls(const Pipeline& pipeline)
+std::string balls(vtkSimplifyShape* simplify)
 {
-  vtkDataObject* output = pipeline.balls->GetOutput();
+  vtkDataObject* output = simplify->GetPolarBalls()->GetOutput();
   return inBraces({
     { "inner", number(fieldValue(output, "NumberOfInnerBalls")) },
     { "outer", number(fieldValue(output, "NumberOfOuterBalls")) },
     { "hidden", number(fieldValue(output, "NumberOfHiddenBalls")) },
-    { "offAxis", number(fieldValue(pipeline.axis->GetOutput(), "NumberOfOffAxisBalls")) },
+    { "offAxis",
+      number(fieldValue(simplify->GetMedialAxis()->GetOutput(), "NumberOfOffAxisBalls")) },
   });
 }
 
-std::string betti(const Pipeline& pipeline)
+std::string betti(vtkSimplifyShape* simplify)
 {
   return inBraces({
-    { "powerShape", bettiList(pipeline.axis->GetOutput(), "BettiPowerShape") },
-    { "axis", bettiList(pipeline.axis->GetOutput(), "BettiAxis") },
-    { "pruned", bettiList(pipeline.prune->GetOutput(), "BettiAxis") },
-    { "crust", bettiList(pipeline.crust->GetOutput(), "BettiCrust") },
+    { "powerShape", bettiList(simplify->GetMedialAxis()->GetOutput(), "BettiPowerShape") },
+    { "axis", bettiList(simplify->GetMedialAxis()->GetOutput(), "BettiAxis") },
+    { "pruned", bettiList(simplify->GetMedialPrune()->GetOutput(), "BettiAxis") },
+    { "crust", bettiList(simplify->GetPowerCrust()->GetOutput(), "BettiCrust") },
   });
 }
 
-std::string times(const Pipeline& pipeline, double total)
+std::string times(vtkSimplifyShape* simplify, const Progress& progress, double total)
 {
+  const double crusts = progress.seconds(simplify->GetUnprunedPowerCrust()) +
+    progress.seconds(simplify->GetPowerCrust());
   return inBraces({
-    { "polarBalls", seconds(pipeline.seconds.polarBalls) },
-    { "medialAxis", seconds(pipeline.seconds.medialAxis) },
-    { "parts", seconds(pipeline.seconds.parts) },
-    { "prune", seconds(pipeline.seconds.prune) },
-    { "crust", seconds(pipeline.seconds.crust) },
+    { "polarBalls", seconds(progress.seconds(simplify->GetPolarBalls())) },
+    { "medialAxis", seconds(progress.seconds(simplify->GetMedialAxis())) },
+    { "parts", seconds(progress.seconds(simplify->GetUnprunedPartDecomposition())) },
+    { "prune", seconds(progress.seconds(simplify->GetMedialPrune())) },
+    { "crust", seconds(crusts) },
     { "total", seconds(total) },
   });
 }
@@ -161,9 +171,9 @@ std::string chosenWord(double measure, double threshold)
   return out.str();
 }
 
-std::string scheduleLines(const Pipeline& pipeline, const Arguments& arguments)
+std::string scheduleLines(vtkSimplifyShape* simplify, const Arguments& arguments)
 {
-  vtkTable* history = vtkTable::SafeDownCast(pipeline.prune->GetOutputDataObject(1));
+  vtkTable* history = vtkTable::SafeDownCast(simplify->GetMedialPrune()->GetOutputDataObject(1));
   std::ostringstream out;
   for (vtkIdType row = 0; row < history->GetNumberOfRows(); ++row)
   {
@@ -184,69 +194,75 @@ std::string scheduleLines(const Pipeline& pipeline, const Arguments& arguments)
   return out.str();
 }
 
-std::string surfaceLine(const Pipeline& pipeline)
+std::string surfaceLine(vtkSimplifyShape* simplify)
 {
-  vtkPolyData* surface = pipeline.crust->GetOutput();
+  vtkPolyData* surface = simplify->GetPowerCrust()->GetOutput();
   std::ostringstream out;
   out << "  surface   " << grouped(surface->GetNumberOfPolys()) << " faces, "
       << (fieldValue(surface, "Closed") != 0 ? "closed" : "NOT CLOSED") << ", " << std::fixed
       << std::setprecision(2)
       << 100 * fieldValue(surface, "Volume") /
-      fieldValue(pipeline.crustBefore->GetOutput(), "Volume")
+      fieldValue(simplify->GetUnprunedPowerCrust()->GetOutput(), "Volume")
       << " % of the volume before\n";
   return out.str();
 }
 
-std::string bettiLine(const Pipeline& pipeline)
+std::string bettiLine(vtkSimplifyShape* simplify)
 {
-  vtkDataObject* axis = pipeline.axis->GetOutput();
+  vtkDataObject* axis = simplify->GetMedialAxis()->GetOutput();
   std::string line =
     "  Betti     power shape " + joined(bettiNumbers(axis, "BettiPowerShape"), " ");
   line += ", axis " + joined(bettiNumbers(axis, "BettiAxis"), " ");
-  line += ", pruned " + joined(bettiNumbers(pipeline.prune->GetOutput(), "BettiAxis"), " ");
-  line += ", surface " + joined(bettiNumbers(pipeline.crust->GetOutput(), "BettiCrust"), " ");
-  return line + (isCertified(pipeline) ? ": certified\n" : ": NOT CERTIFIED\n");
+  line +=
+    ", pruned " + joined(bettiNumbers(simplify->GetMedialPrune()->GetOutput(), "BettiAxis"), " ");
+  line +=
+    ", surface " + joined(bettiNumbers(simplify->GetPowerCrust()->GetOutput(), "BettiCrust"), " ");
+  return line + (isCertified(simplify) ? ": certified\n" : ": NOT CERTIFIED\n");
 }
 }
 
-std::string report(const Pipeline& pipeline, double total)
+std::string report(vtkSimplifyShape* simplify, const Progress& progress, double total)
 {
-  vtkDataObject* samples = pipeline.balls->GetOutput();
+  vtkDataObject* samples = simplify->GetPolarBalls()->GetOutput();
   return "{\n  " +
     object(
       {
         { "samples", number(fieldValue(samples, "NumberOfSamples")) },
         { "duplicates", number(fieldValue(samples, "NumberOfDuplicates")) },
-        { "balls", balls(pipeline) },
-        { "betti", betti(pipeline) },
-        { "certificate", truth(isCertified(pipeline)) },
-        { "fallback", truth(fieldValue(pipeline.axis->GetOutput(), "Fallback") != 0) },
+        { "balls", balls(simplify) },
+        { "betti", betti(simplify) },
+        { "certificate", truth(isCertified(simplify)) },
+        { "fallback", truth(fieldValue(simplify->GetMedialAxis()->GetOutput(), "Fallback") != 0) },
         { "iterations",
-          iterations(vtkTable::SafeDownCast(pipeline.prune->GetOutputDataObject(1))) },
-        { "parts", number(fieldValue(pipeline.parts->GetOutput(), "NumberOfParts")) },
+          iterations(vtkTable::SafeDownCast(simplify->GetMedialPrune()->GetOutputDataObject(1))) },
+        { "parts",
+          number(
+            fieldValue(simplify->GetUnprunedPartDecomposition()->GetOutput(), "NumberOfParts")) },
         { "volume",
           inBraces({
-            { "crustBefore", number(fieldValue(pipeline.crustBefore->GetOutput(), "Volume")) },
-            { "crustAfter", number(fieldValue(pipeline.crust->GetOutput(), "Volume")) },
+            { "crustBefore",
+              number(fieldValue(simplify->GetUnprunedPowerCrust()->GetOutput(), "Volume")) },
+            { "crustAfter", number(fieldValue(simplify->GetPowerCrust()->GetOutput(), "Volume")) },
           }) },
-        { "seconds", times(pipeline, total) },
+        { "seconds", times(simplify, progress, total) },
         { "peakMemoryMiB", number(peakMemoryMiB()) },
       },
       ",\n  ") +
     "\n}\n";
 }
 
-std::string summary(const Pipeline& pipeline, const Arguments& arguments, double total)
+std::string summary(vtkSimplifyShape* simplify, const Arguments& arguments, double total)
 {
-  vtkDataObject* samples = pipeline.balls->GetOutput();
+  vtkDataObject* samples = simplify->GetPolarBalls()->GetOutput();
   std::ostringstream out;
   out << arguments.input << ": " << grouped(fieldValue(samples, "NumberOfSamples")) << " samples\n"
       << "  balls     " << grouped(fieldValue(samples, "NumberOfInnerBalls")) << " inner, "
       << grouped(fieldValue(samples, "NumberOfOuterBalls")) << " outer\n"
-      << "  axis      " << grouped(pipeline.axis->GetOutput()->GetNumberOfPolys())
-      << " triangles in " << grouped(fieldValue(pipeline.parts->GetOutput(), "NumberOfParts"))
+      << "  axis      " << grouped(simplify->GetMedialAxis()->GetOutput()->GetNumberOfPolys())
+      << " triangles in "
+      << grouped(fieldValue(simplify->GetUnprunedPartDecomposition()->GetOutput(), "NumberOfParts"))
       << " parts\n"
-      << scheduleLines(pipeline, arguments) << surfaceLine(pipeline) << bettiLine(pipeline) << "  "
+      << scheduleLines(simplify, arguments) << surfaceLine(simplify) << bettiLine(simplify) << "  "
       << std::fixed << std::setprecision(1) << total << " s, " << std::setprecision(0)
       << peakMemoryMiB() << " MiB; results in " << arguments.output << "/\n";
   return out.str();
@@ -262,7 +278,7 @@ std::string grouped(double count)
   return digits;
 }
 
-bool isCertified(const Pipeline& pipeline)
+bool isCertified(vtkSimplifyShape* simplify)
 {
-  return fieldValue(pipeline.axis->GetOutput(), "Certificate") != 0;
+  return fieldValue(simplify->GetMedialAxis()->GetOutput(), "Certificate") != 0;
 }

@@ -5,19 +5,23 @@
 #include <string>
 
 struct Arguments;
-struct Pipeline;
+class Progress;
+class vtkSimplifyShape;
 
-/// report.json; its keys are in README.md.
-/// @param total  seconds from the start to the last stage's end
-std::string report(const Pipeline& pipeline, double total);
+// All of these read the outputs of the filter's stages after an update.
 
-/// The few lines printed at the end.
-std::string summary(const Pipeline& pipeline, const Arguments& arguments, double total);
+/// The text of report.json; README.md describes its keys.
+/// @param progress  has watched the stages
+/// @param total     seconds from the program's start to the end of the last stage
+std::string report(vtkSimplifyShape* simplify, const Progress& progress, double total);
+
+/// The few lines that are printed at the end.
+std::string summary(vtkSimplifyShape* simplify, const Arguments& arguments, double total);
 
 /// A count with commas between thousands.
 std::string grouped(double count);
 
 /// Does the axis have the topology of the power shape?
-bool isCertified(const Pipeline& pipeline);
+bool isCertified(vtkSimplifyShape* simplify);
 
 #endif

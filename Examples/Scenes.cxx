@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes.h"
 
-#include "Triangles.h"
-
 #include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
@@ -161,7 +159,7 @@ vtkSmartPointer<vtkActor> partsActor(vtkPolyData* parts, double scale)
 vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface)
 {
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(inTriangles(surface));
+  normals->SetInputData(surface);
   normals->ConsistencyOff(); // the crust is oriented already
   normals->SetFeatureAngle(45);
   auto actor = actorOf(normals);

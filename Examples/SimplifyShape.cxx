@@ -1,23 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Simplifies the shape of a solid, given by points of its boundary, by pruning its medial axis.
-// What it does with VTK is in Pipeline.cxx; this file connects it with the command line.
+// The filter vtkSimplifyShape does the work; the program reads its input and writes its outputs.
 
 #include "Arguments.h"
 #include "Errors.h"
 #include "Messages.h"
 #include "OutputFolder.h"
 #include "Pictures.h"
-#include "Pipeline.h"
 #include "Progress.h"
 #include "ReadPoints.h"
 #include "Report.h"
 #include "Tables.h"
-#include "Triangles.h"
 
+#include <vtkDataArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkMedialAxis.h>
+#include <vtkMedialPartDecomposition.h>
+#include <vtkMedialPrune.h>
+#include <vtkNew.h>
+#include <vtkPolarBalls.h>
 #include <vtkPolyData.h>
+#include <vtkPowerCrust.h>
 #include <vtkSMPTools.h>
 #include <vtkSTLWriter.h>
+#include <vtkSimplifyShape.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -29,6 +37,75 @@
 
 namespace
 {
+void setProperties(vtkSimplifyShape* simplify, double diagonal, const Arguments& arguments)
+{
+  simplify->MakeUnprunedOn(); // parts.vtp and parts.csv; the ids of --remove-parts
+  simplify->ClearIterations();
+  for (const Iteration& iteration : arguments.iterations)
+  {
+    simplify->AddIteration(
+      iteration.measure, iteration.threshold * (iteration.ofDiagonal ? diagonal : 1));
+  }
+  simplify->SetAutomatic(arguments.automatic);
+  simplify->SetSplitAtNecks(arguments.splitAtNecks);
+  vtkMedialPrune* prune = simplify->GetMedialPrune();
+  // PartId in surface.vtp is that in pruned.vtp. The filter's own parts can differ where necks are cut,
+  // since it cuts the pruned axis again.
+  simplify->GetPowerCrust()->SetAxisConnection(prune->GetOutputPort());
+  prune->SetTopology(arguments.keepTopology ? vtkMedialPrune::COLLAPSE : vtkMedialPrune::NONE);
+  for (int part : arguments.partsToRemove)
+  {
+    prune->AddPartToRemove(part);
+  }
+}
+
+void watchStages(vtkSimplifyShape* simplify, Progress& progress)
+{
+  progress.watch("polar balls", simplify->GetPolarBalls());
+  progress.watch("medial axis", simplify->GetMedialAxis());
+  progress.watch("parts", simplify->GetUnprunedPartDecomposition());
+  progress.watch("prune", simplify->GetMedialPrune());
+  progress.watch("crust before", simplify->GetUnprunedPowerCrust());
+  progress.watch("crust", simplify->GetPowerCrust());
+}
+
+/// @throw UsageError  there is no part of a number given
+void checkPartsToRemove(vtkSimplifyShape* simplify, const Arguments& arguments)
+{
+  vtkDataObject* parts = simplify->GetUnprunedPartDecomposition()->GetOutput();
+  if (!parts->GetFieldData()->HasArray("NumberOfParts"))
+  {
+    return; // this or an earlier stage has failed
+  }
+  const double count = fieldValue(parts, "NumberOfParts");
+  for (int part : arguments.partsToRemove)
+  {
+    if (part >= count)
+    {
+      throw UsageError("--remove-parts: there is no part " + std::to_string(part) +
+        "; this axis has parts 0 to " + std::to_string(static_cast<vtkIdType>(count) - 1));
+    }
+  }
+}
+
+/// Runs all stages.
+/// @throw UsageError  a part to be removed isn't there
+/// @throw InputError  a stage can't use what it gets
+void run(vtkSimplifyShape* simplify, const Arguments& arguments)
+{
+  simplify->Update();
+  checkPartsToRemove(
+    simplify, arguments); // says more than the stage that has failed for that reason
+  const std::string reason =
+    *simplify->GetErrorMessage() ? simplify->GetErrorMessage() : messages::error();
+  if (!reason.empty() || simplify->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw InputError(
+      arguments.input + ": " + (reason.empty() ? "failed without a reason" : reason));
+  }
+  messages::clear();
+}
+
 /// As text within the XML: with the expat of an updated Debian 12 ParaView 5.11 can't read the writers'
 /// default, raw data after the XML.
 template <typename Writer>
@@ -40,24 +117,26 @@ void write(vtkDataObject* data, const std::string& name, OutputFolder& folder)
   folder.write(writer.Get(), name);
 }
 
-void writeData(const Pipeline& pipeline, OutputFolder& folder)
+void writeData(vtkSimplifyShape* simplify, OutputFolder& folder)
 {
-  write<vtkXMLUnstructuredGridWriter>(pipeline.balls->GetOutput(), "balls.vtu", folder);
-  write<vtkXMLPolyDataWriter>(pipeline.axis->GetOutput(), "axis.vtp", folder);
-  write<vtkXMLPolyDataWriter>(pipeline.parts->GetOutput(), "parts.vtp", folder);
-  write<vtkXMLPolyDataWriter>(pipeline.prune->GetOutput(), "pruned.vtp", folder);
-  write<vtkXMLPolyDataWriter>(pipeline.crust->GetOutput(), "surface.vtp", folder);
+  write<vtkXMLUnstructuredGridWriter>(simplify->GetPolarBalls()->GetOutput(), "balls.vtu", folder);
+  write<vtkXMLPolyDataWriter>(simplify->GetMedialAxis()->GetOutput(), "axis.vtp", folder);
+  write<vtkXMLPolyDataWriter>(
+    simplify->GetUnprunedPartDecomposition()->GetOutput(), "parts.vtp", folder);
+  write<vtkXMLPolyDataWriter>(simplify->GetMedialPrune()->GetOutput(), "pruned.vtp", folder);
+  write<vtkXMLPolyDataWriter>(simplify->GetOutput(), "surface.vtp", folder);
   vtkNew<vtkSTLWriter> triangles;
-  triangles->SetInputData(inTriangles(pipeline.crust->GetOutput()));
+  triangles->SetInputData(simplify->GetOutput());
   triangles->SetFileTypeToBinary();
   folder.write(triangles.Get(), "surface.stl");
   folder.writeText(
-    csv(vtkTable::SafeDownCast(pipeline.parts->GetOutputDataObject(1))), "parts.csv");
+    csv(vtkTable::SafeDownCast(simplify->GetUnprunedPartDecomposition()->GetOutputDataObject(1))),
+    "parts.csv");
   folder.writeText(
-    csv(vtkTable::SafeDownCast(pipeline.prune->GetOutputDataObject(1))), "history.csv");
+    csv(vtkTable::SafeDownCast(simplify->GetMedialPrune()->GetOutputDataObject(1))), "history.csv");
 }
 
-Stages stagesOf(const Pipeline& pipeline, vtkPolyData* samples)
+Stages stagesOf(vtkSimplifyShape* simplify, vtkPolyData* samples)
 {
   const auto parts = [](vtkDataObject* axis) {
     const double count = fieldValue(axis, "NumberOfParts");
@@ -65,10 +144,12 @@ Stages stagesOf(const Pipeline& pipeline, vtkPolyData* samples)
   };
   return { {
     { "samples", grouped(double(samples->GetNumberOfPoints())) + " samples", samples },
-    { "axis", "medial axis", pipeline.axis->GetOutput() },
-    { "parts", parts(pipeline.parts->GetOutput()), pipeline.parts->GetOutput() },
-    { "pruned", "pruned to " + parts(pipeline.prune->GetOutput()), pipeline.prune->GetOutput() },
-    { "surface", "simplified surface", pipeline.crust->GetOutput() },
+    { "axis", "medial axis", simplify->GetMedialAxis()->GetOutput() },
+    { "parts", parts(simplify->GetUnprunedPartDecomposition()->GetOutput()),
+      simplify->GetUnprunedPartDecomposition()->GetOutput() },
+    { "pruned", "pruned to " + parts(simplify->GetMedialPrune()->GetOutput()),
+      simplify->GetMedialPrune()->GetOutput() },
+    { "surface", "simplified surface", simplify->GetOutput() },
   } };
 }
 
@@ -85,23 +166,26 @@ ExitCode simplify(const Arguments& arguments)
   }
   auto samples = readPoints(arguments.input);
   OutputFolder folder(arguments.output);
-  Pipeline pipeline(samples, arguments);
-  Progress progress(arguments.input, arguments.quiet);
-  pipeline.run(progress, arguments);
+  vtkNew<vtkSimplifyShape> filter;
+  filter->SetInputData(samples);
+  setProperties(filter, samples->GetLength(), arguments);
+  Progress progress(arguments.quiet);
+  watchStages(filter, progress);
+  run(filter, arguments);
   const double total =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  writeData(pipeline, folder);
+  writeData(filter, folder);
   if (arguments.picture)
   {
-    drawPictures(stagesOf(pipeline, samples), folder);
+    drawPictures(stagesOf(filter, samples), folder);
   }
-  folder.writeText(report(pipeline, total), "report.json");
+  folder.writeText(report(filter, progress, total), "report.json");
   folder.publish();
   if (!arguments.quiet)
   {
-    std::cout << summary(pipeline, arguments, total);
+    std::cout << summary(filter, arguments, total);
   }
-  if (arguments.strict && !isCertified(pipeline))
+  if (arguments.strict && !isCertified(filter))
   {
     std::cerr << "SimplifyShape: the topology of the axis is not certified; see betti in "
               << arguments.output << "/report.json\n";

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tables.h"
 
+#include "Errors.h"
+
 #include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkFieldData.h>
 #include <vtkTable.h>
 
 #include <limits>
@@ -68,4 +72,14 @@ std::string csv(vtkTable* table)
     writeRow(out, columns, row);
   }
   return out.str();
+}
+
+double fieldValue(vtkDataObject* output, const char* array, int component)
+{
+  vtkDataArray* values = output->GetFieldData()->GetArray(array);
+  if (!values || values->GetNumberOfTuples() == 0)
+  {
+    throw InputError(std::string("a stage gave no array ") + array);
+  }
+  return values->GetComponent(0, component);
 }

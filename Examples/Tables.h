@@ -4,10 +4,15 @@
 
 #include <string>
 
+class vtkDataObject;
 class vtkTable;
 
-/// A table of numbers as comma separated values with a header line. Columns of several components
-/// are named as VTK does, Bounds:0, Bounds:1, ...; numbers are written so that they read back alike.
+/// The columns of numbers as comma-separated values, names first. Column "A" with several components
+/// becomes "A:0", "A:1" ...; numbers are written so that they are read back exactly.
 std::string csv(vtkTable* table);
+
+/// One number of an output's field data.
+/// @throw InputError  there is no such array
+double fieldValue(vtkDataObject* output, const char* array, int component = 0);
 
 #endif
