@@ -5,6 +5,7 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
 #include <vtkMath.h>
+#include <vtkMedialPartDecomposition.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -94,15 +95,11 @@ vtkSmartPointer<vtkUnsignedCharArray> depthColors(
   return colors;
 }
 
-/// A colour for a part: hues a golden section of the circle apart, in three lightnesses.
+/// The library's colour of a part, in bytes.
 std::array<unsigned char, 3> partColor(vtkIdType part)
 {
-  constexpr double goldenSection = 0.61803398874989485;
-  const double hue = 2 * vtkMath::Pi() * std::fmod(0.12 + part * goldenSection, 1.0);
-  const double lightness = std::array<double, 3>{ 66, 52, 78 }[part % 3];
-  const double lab[3] = { lightness, 55 * std::cos(hue), 55 * std::sin(hue) };
-  std::array<double, 3> rgb;
-  vtkMath::LabToRGB(lab, rgb.data());
+  double rgb[3];
+  vtkMedialPartDecomposition::GetPartColor(part, rgb);
   return { static_cast<unsigned char>(255 * rgb[0]), static_cast<unsigned char>(255 * rgb[1]),
     static_cast<unsigned char>(255 * rgb[2]) };
 }

@@ -3,17 +3,26 @@
 
 #include "Conversion/Axis.h"
 #include "Conversion/Parts.h"
+#include "Parts/PartColors.h"
 #include "Pipeline/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkMedialPartDecomposition);
 
 vtkMedialPartDecomposition::vtkMedialPartDecomposition()
 {
   this->SetNumberOfOutputPorts(4);
+}
+
+void vtkMedialPartDecomposition::GetPartColor(vtkIdType part, double rgb[3])
+{
+  const std::array<double, 3> color = medial::partColor(part);
+  std::copy(color.begin(), color.end(), rgb);
 }
 
 int vtkMedialPartDecomposition::FillOutputPortInformation(int port, vtkInformation* info)

@@ -81,6 +81,13 @@ public:
   vtkTypeMacro(vtkMedialPartDecomposition, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * The colour in which pictures show a part, always the same for the same `PartId`: red, green and
+   * blue, 0 ... 1. Neighbouring numbers get very different colours. Light grey for numbers below 0,
+   * which stand for no part. In Python: rgb = [0, 0, 0]; GetPartColor(part, rgb).
+   */
+  static void GetPartColor(vtkIdType part, double rgb[3]);
+
   ///@{
   /**
    * Parts farther from the border than this get level 0. 0, the default: no limit.

@@ -5,10 +5,13 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkMath.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace
@@ -282,6 +285,26 @@ TEST(MedialPartDecomposition, RefusesOffsetsOfCellsThatDontFit)
   const std::string error = refusal(
     [](vtkPolyData* axis) { axis->GetPolys()->GetOffsetsArray()->SetComponent(2, 0, 1e6); });
   EXPECT_NE(error.find("the offsets of the cells do not fit"), std::string::npos) << error;
+}
+
+TEST(MedialPartDecomposition, GivesEachPartAColorOfTheSameStrength)
+{
+  int checked = 0;
+  for (vtkIdType part = 0; part < 300; ++part)
+  {
+    double rgb[3], lab[3];
+    vtkMedialPartDecomposition::GetPartColor(part, rgb);
+    if (std::all_of(rgb, rgb + 3, [](double c) { return c > 0 && c < 1; }))
+    {
+      vtkMath::RGBToLab(rgb, lab); // the core's own conversion must agree with VTK's
+      EXPECT_NEAR(std::hypot(lab[1], lab[2]), 55, 0.1) << part;
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 100); // many are outside what a screen can show
+  double grey[3];
+  vtkMedialPartDecomposition::GetPartColor(-1, grey);
+  EXPECT_EQ(grey[0], grey[2]);
 }
 
 TEST(MedialPartDecomposition, RefusesAnEmptyAxis)

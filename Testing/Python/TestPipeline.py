@@ -54,6 +54,15 @@ class Pipeline(unittest.TestCase):
         history = prune.GetOutputDataObject(1)
         self.assertEqual(history.GetNumberOfRows(), 1)
 
+    def test_part_has_a_color(self):
+        colors = []
+        for part in range(30):
+            rgb = [0, 0, 0]
+            vtkMedialPartDecomposition.GetPartColor(part, rgb)
+            self.assertTrue(all(0 <= component <= 1 for component in rgb), rgb)
+            colors.append(tuple(rgb))
+        self.assertEqual(len(set(colors)), 30)
+
     def test_reports_errors(self):
         balls = vtkPolarBalls()
         balls.SetInputData(ellipsoid(3))
