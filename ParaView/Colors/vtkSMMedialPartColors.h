@@ -4,8 +4,8 @@
  * @brief   a colour of its own for each of the first parts
  *
  * An initialization helper: the description of a filter names it, and ParaView calls it for each new
- * filter. The first time it gives neighbouring values of the array `PartId` very different colors,
- * since that they are neighbours means nothing. A choice of the user's stays.
+ * filter. The first time it sets the colors of the array `PartId` to those of
+ * vtkMedialPartDecomposition::GetPartColor(). It does not change colors that the user has chosen.
  */
 
 #ifndef vtkSMMedialPartColors_h
