@@ -2,17 +2,10 @@
 #ifndef Arguments_h
 #define Arguments_h
 
+#include "ScheduleWords.h"
+
 #include <string>
 #include <vector>
-
-/// One word of a schedule: an iteration of decompose - measure - prune.
-struct Iteration
-{
-  int measure; ///< a vtkMedialPrune::MeasureType
-  double threshold;
-  bool ofDiagonal;  ///< the threshold counts in diagonals of the samples' bounding box
-  std::string word; ///< as given
-};
 
 /// What the command line asks for.
 struct Arguments
@@ -36,6 +29,6 @@ struct Arguments
 Arguments parseArguments(int argc, char* argv[]);
 
 /// The text of --help.
-const char* usage();
+std::string usage();
 
 #endif

@@ -10,6 +10,7 @@ import json
 import math
 import os
 import pty
+import re
 import struct
 import subprocess
 import sys
@@ -100,12 +101,34 @@ class SimplifyShape(unittest.TestCase):
             self.assertIn(fragment, done.stderr)
         self.assertFalse(os.path.exists(self.path("none")), "a failed run left results")
 
-    def test_help_names_every_option(self):
+    def options(self):
+        """Each option of --help with an example of its value, or None if it takes none."""
+        examples = {"DIR": self.path("none"), '"W W ..."': "t5", "WORD": "none", "ID,ID": "0,1",
+                    "N": "1"}
+        text = self.run_program("--help").stdout
+        found = re.findall(r"^  (--[a-z-]+)(?: (\S.*?))?  ", text, re.M)
+        return {name: examples[placeholder] if placeholder else None
+                for name, placeholder in found}
+
+    def test_help_lists_the_options(self):
         done = self.run_program("--help")
-        self.assertEqual(done.returncode, 0)
-        for option in ("--output", "--schedule", "--topology", "--remove-parts", "--threads",
-                       "--picture", "--strict", "--quiet"):
-            self.assertIn(option, done.stdout)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(self.run_program("-h").stdout, done.stdout)
+        self.assertGreater(len(self.options()), 9)
+        self.assertEqual(sorted(set(re.findall(r"--[a-z-]+", done.stdout))),
+                         sorted(self.options()), "an option is mentioned but not described")
+
+    def test_every_option_is_accepted(self):
+        for option, value in self.options().items():
+            with self.subTest(option):
+                words = [option] if value is None else [option, value]
+                self.assertEqual(self.run_program(*words, "--help").returncode, 0)
+                joined = self.run_program(option + "=" + (value or ""), "--help")
+                self.assertEqual(joined.returncode, 1 if value is None else 0)
+                if value is not None:
+                    alone = self.run_program(option)
+                    self.assertEqual(alone.returncode, 1)
+                    self.assertIn(option + " needs a value", alone.stderr)
 
     def test_wrong_usage_gives_1(self):
         points = self.write_xyz(ellipsoid(300))
@@ -119,12 +142,9 @@ class SimplifyShape(unittest.TestCase):
         self.assert_fails(1, ["'a'", "--remove-parts"], points, "--remove-parts", "1,a")
         self.assert_fails(1, ["no part 100000"], points, "--remove-parts", "100000")
         self.assert_fails(1, ["'--colour'"], points, "--colour")
+        self.assert_fails(1, ["--automatic", "--schedule"], points, "--automatic",
+                          "--schedule", "t1")
         self.assert_fails(1, ["one input"], points, points)
-
-    def test_missing_value_gives_1(self):
-        done = self.run_program("points.xyz", "--schedule")
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("--schedule needs a value", done.stderr)
 
     def test_unusable_files_give_2(self):
         self.assert_fails(2, ["nowhere.ply", "No such file"], self.path("nowhere.ply"))
@@ -211,6 +231,18 @@ class SimplifyShape(unittest.TestCase):
         for k, percent in ((7, 1), (10, 1), (12, 1), (14, 1)):
             self.assertAlmostEqual(thresholds[k], diagonal * percent / 100)
         self.assertEqual(thresholds[8], 10)
+
+    def test_chooses_the_schedule_and_cuts_at_necks(self):
+        points = [(2.2 + 0.4 * x, 0.4 * y, 0.4 * z) for x, y, z in ellipsoid(800, (1, 1, 1))]
+        points += [point for point in ellipsoid(1500, (2, 2, 2)) if math.dist(point, (2, 0, 0)) > 0.4]
+        whole, _ = self.simplify(points, "--automatic")
+        cut, out = self.simplify(points, "--automatic", "--split-at-necks")
+        self.assertGreater(len(cut["iterations"]), 0)
+        self.assertGreater(cut["parts"], whole["parts"])
+        with open(os.path.join(out, "parts.csv")) as file:
+            ratios = [float(row["NeckRatio"]) for row in csv.DictReader(file)]
+        self.assertEqual(len(ratios), cut["parts"])
+        self.assertLess(min(ratios), 0.5)
 
     def test_part_by_hand(self):
         report, _ = self.simplify(ellipsoid(), "--schedule", "", "--remove-parts", "0",
