@@ -19,9 +19,6 @@ struct Stage
 /// Samples, axis, parts, pruned axis and surface, in this order.
 using Stages = std::array<Stage, 5>;
 
-/// @throw UsageError  there is no X server to draw with; without one VTK would abort the process
-void checkDisplay();
-
 /// Draws every stage, all seen from the same place, and an overview with the five side by side.
 /// @throw InputError  a picture can't be written
 void drawPictures(const Stages& stages, OutputFolder& folder);

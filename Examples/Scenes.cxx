@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scenes.h"
 
+#include "Errors.h"
+
 #include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
@@ -57,8 +59,9 @@ void lookLikeSheets(vtkActor* actor, double scale)
   look->SetPointSize(static_cast<float>(3 * scale));
 }
 
-/// Dark blue over green to yellow, of steadily growing lightness.
-vtkSmartPointer<vtkColorTransferFunction> radiusColors(const double range[2])
+/// Dark blue over green to yellow, of steadily growing lightness. In equal steps; or, if both ends are
+/// positive, in equal ratios.
+vtkSmartPointer<vtkColorTransferFunction> ramp(double lower, double upper, bool inRatios)
 {
   static const double lab[][3] = { { 30, 36, -58 }, { 42, 8, -46 }, { 55, -20, -24 },
     { 69, -42, 14 }, { 82, -28, 60 }, { 93, -6, 78 } };
@@ -68,7 +71,13 @@ vtkSmartPointer<vtkColorTransferFunction> radiusColors(const double range[2])
   {
     std::array<double, 3> rgb;
     vtkMath::LabToRGB(lab[i], rgb.data());
-    colors->AddRGBPoint(range[0] + (range[1] - range[0]) * i / 5, rgb[0], rgb[1], rgb[2]);
+    const double value =
+      inRatios ? lower * std::pow(upper / lower, i / 5.0) : lower + (upper - lower) * i / 5;
+    colors->AddRGBPoint(value, rgb[0], rgb[1], rgb[2]);
+  }
+  if (inRatios)
+  {
+    colors->SetScaleToLog10();
   }
   return colors;
 }
@@ -126,7 +135,7 @@ vtkSmartPointer<vtkActor> axisActor(vtkPolyData* axis, double scale)
   mapper->SetInputData(axis);
   if (vtkDataArray* radius = axis->GetPointData()->GetArray("Radius"))
   {
-    mapper->SetLookupTable(radiusColors(radius->GetRange()));
+    mapper->SetLookupTable(ramp(radius->GetRange()[0], radius->GetRange()[1], false));
     mapper->SetScalarModeToUsePointFieldData();
     mapper->SelectColorArray("Radius");
     mapper->InterpolateScalarsBeforeMappingOn();
@@ -149,6 +158,29 @@ vtkSmartPointer<vtkActor> partsActor(vtkPolyData* parts, double scale)
     colors->SetTypedTuple(cell, partColor(part).data());
   }
   auto actor = colouredActor(parts, colors);
+  lookLikeSheets(actor, scale);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> arrayActor(vtkPolyData* axis, const std::string& array, double scale)
+{
+  vtkDataArray* values = axis->GetCellData()->GetArray(array.c_str());
+  if (!values)
+  {
+    throw InputError("there is no array " + array + " on the cells");
+  }
+  if (array == "PartId")
+  {
+    return partsActor(axis, scale);
+  }
+  const double largest = std::max(values->GetRange()[1], std::numeric_limits<double>::min());
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(axis);
+  mapper->SetScalarModeToUseCellFieldData();
+  mapper->SelectColorArray(array.c_str());
+  mapper->SetLookupTable(ramp(std::max(values->GetRange()[0], largest / 1000), largest, true));
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
   lookLikeSheets(actor, scale);
   return actor;
 }

@@ -5,6 +5,8 @@
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
+#include <string>
+
 class vtkPolyData;
 
 // What each picture shows. `scale` is the number of pixels to a unit of line width.
@@ -19,6 +21,11 @@ vtkSmartPointer<vtkActor> axisActor(vtkPolyData* axis, double scale);
 
 /// The axis coloured by PartId, neighbouring ids far apart.
 vtkSmartPointer<vtkActor> partsActor(vtkPolyData* parts, double scale);
+
+/// The axis coloured by an array of its cells, in equal ratios: what is below a thousandth of the
+/// largest value is as dark as can be. PartId is coloured as by partsActor.
+/// @throw InputError  there is no such array
+vtkSmartPointer<vtkActor> arrayActor(vtkPolyData* axis, const std::string& array, double scale);
 
 /// The closed surface, smoothly shaded.
 vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface);

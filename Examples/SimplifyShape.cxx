@@ -4,6 +4,7 @@
 // The filter vtkSimplifyShape does the work; the program reads its input and writes its outputs.
 
 #include "Arguments.h"
+#include "Canvas.h"
 #include "Errors.h"
 #include "Messages.h"
 #include "OutputFolder.h"
@@ -158,7 +159,7 @@ ExitCode simplify(const Arguments& arguments)
   const auto begin = std::chrono::steady_clock::now();
   if (arguments.picture)
   {
-    checkDisplay();
+    checkDisplay("--picture");
   }
   if (arguments.threads > 0)
   {

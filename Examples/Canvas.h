@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Canvas_h
+#define Canvas_h
+
+#include <vtkRenderWindow.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <string>
+
+class vtkActor;
+class vtkPNGWriter;
+class vtkPolyData;
+class vtkRenderer;
+
+/// A parallel view that just holds all points of an object.
+class View
+{
+public:
+  /// @param towardsViewer  direction from the object to the viewer, of any length. Up is y, or z if the
+  ///                       direction is near y.
+  explicit View(
+    vtkPolyData* object, const std::array<double, 3>& towardsViewer = { 0.35, 0.25, 1 });
+
+  /// From the object to the viewer, of length 1.
+  const double* towardsViewer() const { return this->Direction.data(); }
+
+  /// Sets the camera for a viewport of this width / height.
+  void apply(vtkRenderer* renderer, double aspect) const;
+
+private:
+  void fit(vtkPolyData* object);
+
+  std::array<double, 3> Direction; ///< of length 1
+  double Right[3], Up[3];
+  double Center[3];
+  double HalfWidth = 0, HalfHeight = 0, Radius = 0;
+};
+
+/// A white picture in which objects are drawn side by side.
+class Canvas
+{
+public:
+  /// Pictures are drawn this many times too large and averaged, which smooths every edge. Widths of
+  /// lines and sizes of dots are in pixels of the larger picture.
+  static constexpr int Oversampling = 2;
+
+  /// @param width, height  in pixels
+  Canvas(int width, int height);
+
+  /// A rectangle of the picture, in pixels from its lower left corner.
+  struct Area
+  {
+    double left, bottom, width, height;
+  };
+
+  void draw(vtkActor* actor, const View& view, const Area& area);
+  /// The caption takes a strip at the bottom of the area.
+  void draw(vtkActor* actor, const View& view, const Area& area, const std::string& caption);
+
+  /// A writer for the picture as it is now; the name of the file is not set.
+  vtkSmartPointer<vtkPNGWriter> writer();
+
+private:
+  void add(vtkRenderer* renderer, const Area& area);
+
+  int Width, Height;
+  vtkSmartPointer<vtkRenderWindow> Window;
+};
+
+/// @param asker  what needs a display, for the message
+/// @throw UsageError  there is no X server to draw with; without one VTK would abort the process
+void checkDisplay(const std::string& asker);
+
+#endif
