@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-/// What the command line asks for.
+/// The values of the command line.
 struct Arguments
 {
   std::string input;
   std::string output = "out";
   std::string schedule = "t5 t5 v1%";
-  std::vector<Iteration> iterations; ///< the schedule, understood
-  bool automatic = false;            ///< chosen from the data instead
+  std::vector<Iteration> iterations; ///< the schedule, parsed
+  bool automatic = false;            ///< choose the iterations from the data
   bool splitAtNecks = false;
   bool keepTopology = true;
   std::vector<int> partsToRemove;
-  int threads = 0; ///< 0: as many as there are
+  int threads = 0; ///< 0: as many as the machine has
   bool picture = false;
   bool strict = false;
   bool quiet = false;

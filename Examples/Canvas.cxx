@@ -63,7 +63,8 @@ vtkSmartPointer<vtkRenderWindow> windowOf(int width, int height)
   return window;
 }
 
-/// Opens a window in a child process, where VTK may abort. True if it didn't.
+/// Opens a window in a child process, since VTK aborts the process if there is no X server. Returns
+/// true if VTK did not abort.
 bool canOpenWindow()
 {
   const pid_t child = fork();
@@ -109,7 +110,7 @@ void View::apply(vtkRenderer* renderer, double aspect) const
   camera->SetClippingRange(2 * this->Radius, 6 * this->Radius);
 }
 
-/// Moves the centre and sets the extents so that the object just fills the view.
+/// Moves the center and sets the extents so that the object just fills the view.
 void View::fit(vtkPolyData* object)
 {
   double lower[2] = { 0, 0 }, upper[2] = { 0, 0 };

@@ -54,8 +54,10 @@ public:
     double left, bottom, width, height;
   };
 
+  /// Draws an object into an area.
   void draw(vtkActor* actor, const View& view, const Area& area);
-  /// The caption takes a strip at the bottom of the area.
+
+  /// Draws an object and, in a strip at the bottom of the area, a caption.
   void draw(vtkActor* actor, const View& view, const Area& area, const std::string& caption);
 
   /// A writer for the picture as it is now; the name of the file is not set.

@@ -102,8 +102,8 @@ std::string usage()
 
 A PANEL is FILE.vtp:CAPTION for a surface, or FILE.vtp:ARRAY:CAPTION for an axis coloured by an array
 of its cells. PartId has a colour for each part. Other arrays go from dark blue to yellow in equal
-ratios; what is below a thousandth of the largest value is as dark as can be. The first panel's object
-fills its panel. Needs an X server (DISPLAY; xvfb-run will do).
+ratios, from a thousandth of the largest value up. The first panel's object fills its panel.
+Needs an X server (DISPLAY; xvfb-run will do).
 
 )" + helpOf(optionsOf(defaults));
 }

@@ -13,7 +13,7 @@ enum ExitCode
   NotCertified = 3   ///< --strict: the axis does not have the topology of the power shape
 };
 
-/// The command line can't be understood or asks for something that isn't there.
+/// The command line is wrong, or names something that does not exist.
 class UsageError : public std::runtime_error
 {
 public:

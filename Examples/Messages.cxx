@@ -15,7 +15,9 @@ bool Quiet = false;
 std::vector<std::string> Errors;
 std::vector<std::string> Warnings;
 
-/// "ERROR: In x.cxx, line 1\nvtkThing (0x1): message\n\n" -> "message", on one line.
+/// The message alone, on one line: "ERROR: In x.cxx, line 1\nvtkThing (0x1): message\n\n" becomes
+/// "message". VTK's readers and writers offer nothing better; our filters do, see
+/// vtkSimplifyShape::GetErrorMessage().
 std::string plainText(std::string text)
 {
   const std::size_t object = text.find("): ");
@@ -45,7 +47,8 @@ public:
 };
 vtkStandardNewMacro(MessageWindow);
 
-/// What the pipeline says of every algorithm that has failed. The reason came before.
+/// Is the error more than what VTK's pipeline reports of every filter that fails? The filter has told
+/// the reason before.
 bool isReason(const std::string& error)
 {
   return error.find("returned failure for request") == std::string::npos;

@@ -4,17 +4,18 @@
 
 #include <string>
 
-/// Keeps what VTK's readers, filters and writers report, in place of VTK's own printing.
+/// Collects the errors and warnings of VTK's readers, filters and writers, which VTK would print.
 namespace messages
 {
-/// From here on errors and warnings are kept.
+/// Begins to collect errors and warnings.
+/// @param quiet  do not print warnings
 void capture(bool quiet);
 
-/// Begins anew. Warnings so far are printed, one line each, unless quiet or followed by an error.
+/// Forgets the errors and warnings so far. If there was no error, it first prints the warnings, one line
+/// each, unless they are to be quiet.
 void clear();
 
-/// Why something failed since the last clear(), without VTK's file, line and object; "" if nothing
-/// did.
+/// The first error since the last clear(), without VTK's file, line and object; "" if there was none.
 std::string error();
 }
 

@@ -35,7 +35,7 @@ OutputFolder::~OutputFolder()
   fs::remove_all(this->Draft, ignored);
   if (this->IsNew)
   {
-    fs::remove(this->Folder, ignored); // does nothing where there are results in it
+    fs::remove(this->Folder, ignored); // fails, as it should, if it has results in it
   }
 }
 

@@ -7,21 +7,22 @@
 
 class vtkAlgorithm;
 
-/// The folder of the results: all files appear together at the end, or none does.
+/// The folder of the results. Files are written to a draft folder within it and moved to their places at
+/// the end, so that a run that fails leaves no results.
 class OutputFolder
 {
 public:
-  /// Makes the folder where it isn't there yet.
-  /// @throw InputError  it can't be made
+  /// Makes the folder if it does not exist yet.
+  /// @throw InputError  the folder can't be made
   explicit OutputFolder(const std::string& folder);
 
-  /// Removes what was not published, and the folder if it is new and empty.
+  /// Removes the files that were not published, and the folder if it is new and empty.
   ~OutputFolder();
 
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Runs a vtkWriter or vtkImageWriter whose input is set, for a file of this name.
+  /// Writes a file of this name by a vtkWriter or vtkImageWriter whose input is set.
   /// @throw InputError  the file can't be written
   template <typename Writer>
   void write(Writer* writer, const std::string& name)
@@ -31,11 +32,12 @@ public:
     this->check(name, writer);
   }
 
+  /// Writes a text file.
   /// @throw InputError  the file can't be written
   void writeText(const std::string& text, const std::string& name);
 
-  /// Moves all files written to their place.
-  /// @throw InputError  one can't be moved
+  /// Moves all written files to their places.
+  /// @throw InputError  a file can't be moved
   void publish();
 
 private:

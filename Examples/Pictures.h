@@ -8,7 +8,7 @@
 class OutputFolder;
 class vtkPolyData;
 
-/// A stage of the pipeline to be drawn.
+/// A stage of the pipeline that is drawn.
 struct Stage
 {
   std::string name;    ///< of the picture's file, without .png
@@ -19,7 +19,8 @@ struct Stage
 /// Samples, axis, parts, pruned axis and surface, in this order.
 using Stages = std::array<Stage, 5>;
 
-/// Draws every stage, all seen from the same place, and an overview with the five side by side.
+/// Draws a picture of each stage, all seen from the same place, and an overview with all five side by
+/// side.
 /// @throw InputError  a picture can't be written
 void drawPictures(const Stages& stages, OutputFolder& folder);
 

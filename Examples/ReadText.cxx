@@ -11,7 +11,7 @@
 
 namespace
 {
-/// The lines of a text file that say something, without comments.
+/// Reads a text file line by line and skips comments and empty lines.
 class Lines
 {
 public:
@@ -21,7 +21,7 @@ public:
   {
   }
 
-  /// Goes to the next line that isn't empty; false at the end.
+  /// Goes to the next line that is not empty; returns false at the end of the file.
   bool next()
   {
     while (std::getline(this->Stream, this->Line))
@@ -64,7 +64,7 @@ public:
   }
 
 private:
-  /// What to show of the line.
+  /// The line as error messages show it.
   std::string start() const
   {
     std::string text = this->Line.substr(0, 40);
@@ -80,7 +80,7 @@ private:
   long Number = 0;
 };
 
-/// Checks the keyword of an .off file and removes it; what is left are the counts or nothing.
+/// Checks the keyword of an .off file and removes it. The rest of the line has the counts or is empty.
 std::string withoutKeyword(const Lines& lines)
 {
   std::istringstream words(lines.line());
@@ -101,7 +101,7 @@ std::string withoutKeyword(const Lines& lines)
   return rest;
 }
 
-/// The number of points, from the line after the keyword or the rest of its own.
+/// The number of points, which stands after the keyword or in the next line.
 vtkIdType readPointCount(Lines& lines)
 {
   if (!lines.next())

@@ -11,8 +11,8 @@
 /// @throw InputError  names the line that can't be read
 vtkSmartPointer<vtkPoints> readOff(const std::string& file);
 
-/// The points of a text file with x y z in each line. Further columns, empty lines and what follows
-/// a # are ignored; commas and semicolons count as blanks.
+/// The points of a text file with x y z in each line. Further columns, empty lines and text after # are
+/// ignored. Columns are separated by blanks, commas or semicolons.
 /// @throw InputError  names the line that can't be read
 vtkSmartPointer<vtkPoints> readXyz(const std::string& file);
 

@@ -89,7 +89,7 @@ std::string bettiList(vtkDataObject* output, const char* array)
   return "[" + joined(bettiNumbers(output, array), ", ") + "]";
 }
 
-/// As a JSON string; like the names of our members it begins small.
+/// As a JSON string, with a small first letter like the keys: "triangleCount".
 std::string measureName(int measure)
 {
   std::string name = vtkMedialPrune::GetMeasureName(measure);
@@ -161,7 +161,7 @@ double peakMemoryMiB()
   return std::round(usage.ru_maxrss / 1024.0); // Linux counts in KiB
 }
 
-/// An iteration that was chosen from the data, as a word of a schedule.
+/// The word of a schedule for an iteration that was chosen from the data.
 std::string chosenWord(double measure, double threshold)
 {
   const bool ofVolume = static_cast<int>(measure) == vtkMedialPrune::RELATIVE_VOLUME;

@@ -34,7 +34,7 @@ vtkSmartPointer<vtkActor> actorOf(vtkAlgorithm* source)
   return actor;
 }
 
-/// An actor whose cells or points have the colours given.
+/// An actor whose cells have these colours.
 vtkSmartPointer<vtkActor> colouredActor(vtkPolyData* data, vtkUnsignedCharArray* ofCells)
 {
   vtkNew<vtkPolyData> coloured;
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkActor> colouredActor(vtkPolyData* data, vtkUnsignedCharArray*
   return actor;
 }
 
-/// The look of sheets: they are seen from both sides, so little of the light is directed.
+/// Sheets are seen from both sides, so much of their light is ambient: it does not depend on the side.
 void lookLikeSheets(vtkActor* actor, double scale)
 {
   vtkProperty* look = actor->GetProperty();
@@ -59,9 +59,9 @@ void lookLikeSheets(vtkActor* actor, double scale)
   look->SetPointSize(static_cast<float>(3 * scale));
 }
 
-/// Dark blue over green to yellow, of steadily growing lightness. In equal steps; or, if both ends are
-/// positive, in equal ratios.
-vtkSmartPointer<vtkColorTransferFunction> ramp(double lower, double upper, bool inRatios)
+/// From dark blue over green to yellow, of steadily growing lightness, on a linear scale or, for positive
+/// values, on a logarithmic one.
+vtkSmartPointer<vtkColorTransferFunction> ramp(double lower, double upper, bool isLogarithmic)
 {
   static const double lab[][3] = { { 30, 36, -58 }, { 42, 8, -46 }, { 55, -20, -24 },
     { 69, -42, 14 }, { 82, -28, 60 }, { 93, -6, 78 } };
@@ -72,10 +72,10 @@ vtkSmartPointer<vtkColorTransferFunction> ramp(double lower, double upper, bool 
     std::array<double, 3> rgb;
     vtkMath::LabToRGB(lab[i], rgb.data());
     const double value =
-      inRatios ? lower * std::pow(upper / lower, i / 5.0) : lower + (upper - lower) * i / 5;
+      isLogarithmic ? lower * std::pow(upper / lower, i / 5.0) : lower + (upper - lower) * i / 5;
     colors->AddRGBPoint(value, rgb[0], rgb[1], rgb[2]);
   }
-  if (inRatios)
+  if (isLogarithmic)
   {
     colors->SetScaleToLog10();
   }

@@ -9,9 +9,9 @@
 
 class vtkPolyData;
 
-// What each picture shows. `scale` is the number of pixels to a unit of line width.
+// The objects that pictures show. `scale` multiplies the widths of lines and the sizes of dots.
 
-/// The samples as dots, paler the farther away they are.
+/// The samples as dots; those farther away are paler.
 /// @param towardsViewer  direction of length 1
 vtkSmartPointer<vtkActor> samplesActor(
   vtkPolyData* samples, const double towardsViewer[3], double scale);
@@ -19,11 +19,11 @@ vtkSmartPointer<vtkActor> samplesActor(
 /// The axis coloured by Radius: dark where the solid is thin, bright where it is thick.
 vtkSmartPointer<vtkActor> axisActor(vtkPolyData* axis, double scale);
 
-/// The axis coloured by PartId, neighbouring ids far apart.
+/// The axis coloured by PartId, in the colours of vtkMedialPartDecomposition::GetPartColor().
 vtkSmartPointer<vtkActor> partsActor(vtkPolyData* parts, double scale);
 
-/// The axis coloured by an array of its cells, in equal ratios: what is below a thousandth of the
-/// largest value is as dark as can be. PartId is coloured as by partsActor.
+/// The axis coloured by an array of its cells on a logarithmic scale, from a thousandth of the largest
+/// value to the largest. PartId is coloured as by partsActor().
 /// @throw InputError  there is no such array
 vtkSmartPointer<vtkActor> arrayActor(vtkPolyData* axis, const std::string& array, double scale);
 

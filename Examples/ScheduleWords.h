@@ -10,7 +10,7 @@ struct Iteration
 {
   int measure; ///< a vtkMedialPrune::MeasureType
   double threshold;
-  bool ofDiagonal;  ///< the threshold counts in diagonals of the samples' bounding box
+  bool ofDiagonal;  ///< the threshold is a share of the diagonal of the samples' bounding box
   std::string word; ///< as given
 };
 

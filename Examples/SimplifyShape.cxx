@@ -40,7 +40,7 @@ namespace
 {
 void setProperties(vtkSimplifyShape* simplify, double diagonal, const Arguments& arguments)
 {
-  simplify->MakeUnprunedOn(); // parts.vtp and parts.csv; the ids of --remove-parts
+  simplify->MakeUnprunedOn(); // for parts.vtp and parts.csv; --remove-parts names parts by them
   simplify->ClearIterations();
   for (const Iteration& iteration : arguments.iterations)
   {
@@ -70,7 +70,7 @@ void watchStages(vtkSimplifyShape* simplify, Progress& progress)
   progress.watch("crust", simplify->GetPowerCrust());
 }
 
-/// @throw UsageError  there is no part of a number given
+/// @throw UsageError  a part to be removed does not exist
 void checkPartsToRemove(vtkSimplifyShape* simplify, const Arguments& arguments)
 {
   vtkDataObject* parts = simplify->GetUnprunedPartDecomposition()->GetOutput();
@@ -90,13 +90,13 @@ void checkPartsToRemove(vtkSimplifyShape* simplify, const Arguments& arguments)
 }
 
 /// Runs all stages.
-/// @throw UsageError  a part to be removed isn't there
+/// @throw UsageError  a part to be removed does not exist
 /// @throw InputError  a stage can't use what it gets
 void run(vtkSimplifyShape* simplify, const Arguments& arguments)
 {
   simplify->Update();
-  checkPartsToRemove(
-    simplify, arguments); // says more than the stage that has failed for that reason
+  // If a part does not exist, pruning has failed. The message of this check says more.
+  checkPartsToRemove(simplify, arguments);
   const std::string reason =
     *simplify->GetErrorMessage() ? simplify->GetErrorMessage() : messages::error();
   if (!reason.empty() || simplify->GetErrorCode() != vtkErrorCode::NoError)
@@ -107,8 +107,8 @@ void run(vtkSimplifyShape* simplify, const Arguments& arguments)
   messages::clear();
 }
 
-/// As text within the XML: with the expat of an updated Debian 12 ParaView 5.11 can't read the writers'
-/// default, raw data after the XML.
+/// Writes the arrays as text within the XML. By default VTK appends raw data after the XML, which
+/// ParaView 5.11 can't read with the expat library of an updated Debian 12.
 template <typename Writer>
 void write(vtkDataObject* data, const std::string& name, OutputFolder& folder)
 {
