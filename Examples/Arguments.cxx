@@ -2,7 +2,12 @@
 #include "Arguments.h"
 
 #include "Errors.h"
+#include "Messages.h"
 #include "Options.h"
+
+#include <vtkMedialPrune.h>
+#include <vtkNew.h>
+#include <vtkSimplifyShape.h>
 
 namespace
 {
@@ -45,6 +50,39 @@ int parseThreads(const std::string& word)
   return threads;
 }
 
+/// Describes the words of a schedule, from the filter's table of measures.
+std::string scheduleHelp()
+{
+  std::string text = "the iterations of pruning, in order (default: \"t5 t5 v1%\").\n"
+                     "Each word removes the parts with at most the value N, P or X as\n";
+  for (int measure = 0; vtkMedialPrune::GetMeasureName(measure); ++measure)
+  {
+    std::string word = "  " + vtkMedialPrune::GetMeasureWord(measure);
+    word.resize(7, ' ');
+    text += word + vtkMedialPrune::GetMeasureDescription(measure) + '\n';
+  }
+  return text +
+    "Lengths and areas are in the unit of the samples; a length with %\n"
+    "is in per cent of the diagonal of the samples' bounding box.\n"
+    "x and a number at the end limit the passes: t5x1.\n"
+    "An empty schedule prunes nothing.";
+}
+
+/// Lets the filter read the words before there is anything to work on.
+/// @throw UsageError  a word is wrong
+void checkSchedule(const std::string& words)
+{
+  messages::capture(true);
+  vtkNew<vtkSimplifyShape> filter;
+  filter->SetSchedule(words.c_str());
+  const std::string message = filter->GetErrorMessage();
+  messages::clear();
+  if (!message.empty())
+  {
+    throw UsageError("--schedule: " + message + "; --help explains them");
+  }
+}
+
 /// All options: the command line is read by this table, and --help is made from it.
 std::vector<Option> optionsOf(Arguments& arguments)
 {
@@ -54,8 +92,7 @@ std::vector<Option> optionsOf(Arguments& arguments)
   return {
     { "--output", "DIR", "where the results go (default: out)",
       [&](const std::string& value) { arguments.output = value; } },
-    { "--schedule", "\"W W ...\"",
-      std::string("the iterations of pruning, in order (default: \"t5 t5 v1%\"):\n") + scheduleHelp,
+    { "--schedule", "\"W W ...\"", scheduleHelp(),
       [&](const std::string& value) { arguments.schedule = value; } },
     { "--automatic", "", "chooses the iterations from the data instead",
       turnsOn(arguments.automatic) },
@@ -109,7 +146,7 @@ void complete(Arguments& arguments)
   {
     throw UsageError("--automatic chooses the schedule; leave out --schedule, or --automatic");
   }
-  arguments.iterations = parseSchedule(arguments.schedule);
+  checkSchedule(arguments.schedule);
 }
 }
 

@@ -2,8 +2,6 @@
 #ifndef Arguments_h
 #define Arguments_h
 
-#include "ScheduleWords.h"
-
 #include <string>
 #include <vector>
 
@@ -13,8 +11,7 @@ struct Arguments
   std::string input;
   std::string output = "out";
   std::string schedule = "t5 t5 v1%";
-  std::vector<Iteration> iterations; ///< the schedule, parsed
-  bool automatic = false;            ///< choose the iterations from the data
+  bool automatic = false; ///< choose the iterations from the data
   bool splitAtNecks = false;
   bool keepTopology = true;
   std::vector<int> partsToRemove;

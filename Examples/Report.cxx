@@ -161,17 +161,7 @@ double peakMemoryMiB()
   return std::round(usage.ru_maxrss / 1024.0); // Linux counts in KiB
 }
 
-/// The word of a schedule for an iteration that was chosen from the data.
-std::string chosenWord(double measure, double threshold)
-{
-  const bool ofVolume = static_cast<int>(measure) == vtkMedialPrune::RELATIVE_VOLUME;
-  std::ostringstream out;
-  out << std::setprecision(2) << (ofVolume ? 'v' : 't') << (ofVolume ? 100 * threshold : threshold)
-      << (ofVolume ? "%" : "");
-  return out.str();
-}
-
-std::string scheduleLines(vtkSimplifyShape* simplify, const Arguments& arguments)
+std::string scheduleLines(vtkSimplifyShape* simplify)
 {
   vtkTable* history = vtkTable::SafeDownCast(simplify->GetMedialPrune()->GetOutputDataObject(1));
   std::ostringstream out;
@@ -180,9 +170,7 @@ std::string scheduleLines(vtkSimplifyShape* simplify, const Arguments& arguments
     const auto value = [&](const char* column) {
       return history->GetValueByName(row, column).ToDouble();
     };
-    const std::string word = value("ByHand") != 0 ? "by hand"
-      : arguments.automatic                       ? chosenWord(value("Measure"), value("Threshold"))
-                                                  : arguments.iterations[row].word;
+    const std::string word = history->GetValueByName(row, "Word").ToString();
     out << "  " << std::left << std::setw(10) << word << grouped(value("PartsBefore")) << " -> "
         << grouped(value("PartsAfter")) << " parts";
     if (value("Refused") > 0)
@@ -262,7 +250,7 @@ std::string summary(vtkSimplifyShape* simplify, const Arguments& arguments, doub
       << " triangles in "
       << grouped(fieldValue(simplify->GetUnprunedPartDecomposition()->GetOutput(), "NumberOfParts"))
       << " parts\n"
-      << scheduleLines(simplify, arguments) << surfaceLine(simplify) << bettiLine(simplify) << "  "
+      << scheduleLines(simplify) << surfaceLine(simplify) << bettiLine(simplify) << "  "
       << std::fixed << std::setprecision(1) << total << " s, " << std::setprecision(0)
       << peakMemoryMiB() << " MiB; results in " << arguments.output << "/\n";
   return out.str();

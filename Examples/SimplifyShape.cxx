@@ -38,15 +38,10 @@
 
 namespace
 {
-void setProperties(vtkSimplifyShape* simplify, double diagonal, const Arguments& arguments)
+void setProperties(vtkSimplifyShape* simplify, const Arguments& arguments)
 {
   simplify->MakeUnprunedOn(); // for parts.vtp and parts.csv; --remove-parts names parts by them
-  simplify->ClearIterations();
-  for (const Iteration& iteration : arguments.iterations)
-  {
-    simplify->AddIteration(
-      iteration.measure, iteration.threshold * (iteration.ofDiagonal ? diagonal : 1));
-  }
+  simplify->SetSchedule(arguments.schedule.c_str());
   simplify->SetAutomatic(arguments.automatic);
   simplify->SetSplitAtNecks(arguments.splitAtNecks);
   vtkMedialPrune* prune = simplify->GetMedialPrune();
@@ -169,7 +164,7 @@ ExitCode simplify(const Arguments& arguments)
   OutputFolder folder(arguments.output);
   vtkNew<vtkSimplifyShape> filter;
   filter->SetInputData(samples);
-  setProperties(filter, samples->GetLength(), arguments);
+  setProperties(filter, arguments);
   Progress progress(arguments.quiet);
   watchStages(filter, progress);
   run(filter, arguments);

@@ -10,28 +10,15 @@
 
 #include <limits>
 #include <sstream>
-#include <vector>
 
 namespace
 {
-std::vector<vtkDataArray*> numberColumns(vtkTable* table)
-{
-  std::vector<vtkDataArray*> columns;
-  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
-  {
-    if (auto* column = vtkDataArray::SafeDownCast(table->GetColumn(i)))
-    {
-      columns.push_back(column);
-    }
-  }
-  return columns;
-}
-
-void writeHeader(std::ostream& out, const std::vector<vtkDataArray*>& columns)
+void writeHeader(std::ostream& out, vtkTable* table)
 {
   const char* separator = "";
-  for (vtkDataArray* column : columns)
+  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
   {
+    vtkAbstractArray* column = table->GetColumn(i);
     const int components = column->GetNumberOfComponents();
     for (int k = 0; k < components; ++k)
     {
@@ -46,15 +33,26 @@ void writeHeader(std::ostream& out, const std::vector<vtkDataArray*>& columns)
   out << '\n';
 }
 
-void writeRow(std::ostream& out, const std::vector<vtkDataArray*>& columns, vtkIdType row)
+/// Texts are words of schedules, without commas and quotes.
+void writeRow(std::ostream& out, vtkTable* table, vtkIdType row)
 {
   const char* separator = "";
-  for (vtkDataArray* column : columns)
+  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
   {
+    vtkAbstractArray* column = table->GetColumn(i);
+    auto* numbers = vtkDataArray::SafeDownCast(column);
     for (int k = 0; k < column->GetNumberOfComponents(); ++k)
     {
-      out << separator << column->GetComponent(row, k);
+      out << separator;
       separator = ",";
+      if (numbers)
+      {
+        out << numbers->GetComponent(row, k);
+      }
+      else
+      {
+        out << column->GetVariantValue(row).ToString();
+      }
     }
   }
   out << '\n';
@@ -65,11 +63,10 @@ std::string csv(vtkTable* table)
 {
   std::ostringstream out;
   out.precision(std::numeric_limits<double>::max_digits10);
-  const std::vector<vtkDataArray*> columns = numberColumns(table);
-  writeHeader(out, columns);
+  writeHeader(out, table);
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    writeRow(out, columns, row);
+    writeRow(out, table, row);
   }
   return out.str();
 }

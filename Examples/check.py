@@ -219,16 +219,19 @@ class SimplifyShape(unittest.TestCase):
             self.assertEqual(betti, [1, 1, 0])
 
     def test_schedule_takes_every_measure(self):
-        words = "t1 v0% p0% a0 m1 m1% r1 r1% o10 l1 l1% e0.1 e1% h0.1 h1%"
+        words = "t1 v0% p0% a0 m1 m1% r1 r1% o10 l1 l1% e0.1 e1% h0.1 h1% b0.1 b1%"
+        letters = re.findall(r"^ {27}([a-z])[NPX]", self.run_program("--help").stdout, re.M)
+        self.assertEqual(set(letters), {word[0] for word in words.split()})
         report, _ = self.simplify(torus(), "--schedule", words)
         self.assertEqual([row["measure"] for row in report["iterations"]],
-                         ["triangleCount", "relativeVolume", "poleVolume", "area",
+                         ["triangleCount", "relativeVolume", "relativePoleVolume", "area",
                           "meanRadius", "meanRadius", "maximumRadius", "maximumRadius",
                           "objectAngle", "lambda", "lambda", "erosionThickness",
-                          "erosionThickness", "hausdorffDistance", "hausdorffDistance"])
+                          "erosionThickness", "hausdorffDistance", "hausdorffDistance",
+                          "boundaryLength", "boundaryLength"])
         thresholds = [row["threshold"] for row in report["iterations"]]
         diagonal = thresholds[5] / 0.01
-        for k, percent in ((7, 1), (10, 1), (12, 1), (14, 1)):
+        for k, percent in ((7, 1), (10, 1), (12, 1), (14, 1), (16, 1)):
             self.assertAlmostEqual(thresholds[k], diagonal * percent / 100)
         self.assertEqual(thresholds[8], 10)
 

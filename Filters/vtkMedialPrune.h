@@ -119,8 +119,8 @@ public:
   ///@{
   /**
    * The name of a MeasureType, which is its column in the table of parts; its array on the cells of the
-   * parts; its unit; the end of the sentence "removes parts of at most X ..."; and how its words in a
-   * schedule are written, as tN, vP% or rX. Null or empty where there is no such measure.
+   * parts; its unit; what it is in a few words; and how its words in a schedule
+   * are written, as tN, vP% or rX. Null or empty where there is no such measure.
    */
   static const char* GetMeasureName(int measure);
   static const char* GetMeasureArray(int measure);

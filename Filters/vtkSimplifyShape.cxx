@@ -36,6 +36,16 @@ vtkSimplifyShape::vtkSimplifyShape()
 
 vtkSimplifyShape::~vtkSimplifyShape() = default;
 
+void vtkSimplifyShape::SetSchedule(const char* words)
+{
+  this->Prune->SetSchedule(words);
+}
+
+std::string vtkSimplifyShape::GetScheduleWords()
+{
+  return this->Prune->GetScheduleWords();
+}
+
 void vtkSimplifyShape::ClearIterations()
 {
   this->Prune->ClearIterations();

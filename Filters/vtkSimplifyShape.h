@@ -32,6 +32,8 @@
 #include "vtkNew.h"                 // for the stages
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string> // for the words of a schedule
+
 class vtkMedialAxis;
 class vtkMedialPartDecomposition;
 class vtkMedialPrune;
@@ -49,8 +51,11 @@ public:
 
   ///@{
   /**
-   * The schedule of vtkMedialPrune, with the same default.
+   * The schedule of vtkMedialPrune, with the same default, "t5 t5 v1%". If a word or a measure can't be
+   * used, GetErrorMessage() tells why at once, and the filter fails when it runs.
    */
+  void SetSchedule(const char* words);
+  std::string GetScheduleWords();
   void ClearIterations();
   void AddIteration(int measure, double threshold, int passes = 0);
   void AddIterationByName(const char* measure, double threshold, int passes = 0);

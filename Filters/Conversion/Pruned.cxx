@@ -89,7 +89,7 @@ void addHistory(vtkFieldData* rows, const std::vector<PruneRow>& history)
   for (const PruneRow& row : history)
   {
     words->InsertNextValue(
-      row.byHand ? "by hand" : scheduleWord({ row.measure, row.threshold, 0, false }));
+      row.byHand ? "by hand" : shortWord({ row.measure, row.threshold, 0, false }));
   }
   rows->AddArray(words);
   add<vtkUnsignedCharArray>(rows, names::ByHand, history, &PruneRow::byHand);

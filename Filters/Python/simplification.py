@@ -20,19 +20,22 @@ class Simplified(NamedTuple):
     history: vtkTable  # a row for each iteration
 
 
-def simplify(points: Any, schedule: Iterable[Sequence] | None = None) -> Simplified:
+def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None) -> Simplified:
     """Simplifies the solid that is given by points of its boundary.
 
     points    an array of shape (n, 3), or a vtkPointSet
-    schedule  iterations (measure, threshold) or (measure, threshold, passes), where measure is a
-              name like "TriangleCount" or "RelativeVolume", see vtkMedialPrune; None: its default
+    schedule  in words, like "t5 t5 v1%", see vtkMedialPrune; or iterations (measure, threshold) or
+              (measure, threshold, passes), where measure is a name like "RelativeVolume"; None: the
+              default of vtkMedialPrune
     Raises ValueError where the points or the schedule can't be used; the message says why.
     """
     filter = vtkSimplifyShape()
     for sender in (filter, filter.GetMedialPrune(), filter.GetExecutive()):
         sender.AddObserver("ErrorEvent", lambda *_: None)  # else VTK prints what is raised below
     filter.SetInputData(points if isinstance(points, vtkPointSet) else _cloud(points))
-    if schedule is not None:
+    if isinstance(schedule, str):
+        filter.SetSchedule(schedule)
+    elif schedule is not None:
         filter.ClearIterations()
         for iteration in schedule:
             filter.AddIterationByName(*iteration)
@@ -45,8 +48,8 @@ def simplify(points: Any, schedule: Iterable[Sequence] | None = None) -> Simplif
 
 def arrays(data: vtkDataObject) -> dict[str, Any]:
     """The arrays of an output as numpy arrays that share its memory: by their names those of points,
-    cells, rows and field (texts as lists of str); further "points" (n, 3), and of the polygons "offsets" and "corners":
-    polygon i has the points corners[offsets[i]:offsets[i + 1]].
+    cells, rows and field (texts as lists of str); further "points" (n, 3), and of the polygons
+    "offsets" and "corners": polygon i has the points corners[offsets[i]:offsets[i + 1]].
     """
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -56,7 +59,8 @@ def arrays(data: vtkDataObject) -> dict[str, Any]:
         for i in range(attributes.GetNumberOfArrays() if attributes else 0):
             array = attributes.GetAbstractArray(i)
             if isinstance(array, vtkStringArray):
-                result[array.GetName()] = [array.GetValue(k) for k in range(array.GetNumberOfValues())]
+                result[array.GetName()] = [
+                    array.GetValue(k) for k in range(array.GetNumberOfValues())]
             else:
                 result[array.GetName()] = vtk_to_numpy(array)
     if isinstance(data, vtkPointSet) and data.GetPoints():

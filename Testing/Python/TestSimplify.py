@@ -43,6 +43,18 @@ class Simplify(unittest.TestCase):
         listed = simplify(ellipsoid(400).tolist())
         self.assertEqual(arrays(listed.history)["Threshold"].tolist(), [5, 5, 0.01])
 
+    def test_takes_a_schedule_in_words(self):
+        words = simplify(ellipsoid(400), "t5 v1%")
+        listed = simplify(ellipsoid(400), [("TriangleCount", 5), ("RelativeVolume", 0.01)])
+        self.assertEqual(arrays(words.history)["Word"], ["t5", "v1%"])
+        for output in ("surface", "axis"):
+            numpy.testing.assert_array_equal(arrays(getattr(words, output))["points"],
+                                             arrays(getattr(listed, output))["points"])
+        self.assertEqual(arrays(words.history)["Threshold"].tolist(),
+                         arrays(listed.history)["Threshold"].tolist())
+        with self.assertRaisesRegex(ValueError, "word 2 of the schedule, 'x3'"):
+            simplify(ellipsoid(400), "t5 x3")
+
     def test_says_what_is_wrong(self):
         with self.assertRaisesRegex(ValueError, "shape"):
             simplify(ellipsoid().T)

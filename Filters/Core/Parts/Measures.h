@@ -83,7 +83,7 @@ struct MeasureTraits
   Unit unit;
   bool addsUp; ///< the value of several parts together is the sum of theirs; else the largest
   const char* reference;   ///< where the formula is from, see the bibliography
-  const char* description; ///< ends the sentence "removes parts of at most X ..."
+  const char* description; ///< in a few words
   /// For each part of a partition its value, never negative.
   std::vector<double> (*formula)(const class PartMeasures&, const Partition&, const Execution&);
 };

@@ -66,8 +66,8 @@ PruneOptions inUnits(PruneOptions options, double diagonal)
     {
       throw InvalidInput(
         "the axis doesn't know the diagonal of the samples' bounding box, of which '",
-        scheduleWord(iteration), "' is a share: take the output of vtkMedialAxis, or give the ",
-        "threshold as a length");
+        scheduleWords({ iteration }),
+        "' is a share: take the output of vtkMedialAxis, or give the ", "threshold as a length");
     }
     iteration.threshold *= iteration.ofDiagonal ? diagonal : 1;
     iteration.ofDiagonal = false;

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 namespace medial
 {
@@ -117,21 +118,31 @@ PruneIteration parseWord(std::string word)
   return result;
 }
 
-/// The shortest plain decimal number that parseDecimal reads as this value.
-std::string plainDecimal(double value, bool isPercent)
+/// The digits of a number in scientific notation, d.ddde+dd: the fewest that from_chars reads as this
+/// number, or as many as said.
+std::string scientific(double value, std::optional<int> digits)
+{
+  char buffer[64];
+  char* const end = buffer + sizeof buffer;
+  const auto result = digits
+    ? std::to_chars(buffer, end, value, std::chars_format::scientific, *digits - 1)
+    : std::to_chars(buffer, end, value, std::chars_format::scientific);
+  return { buffer, result.ptr };
+}
+
+/// A plain decimal number without an exponent, as parseDecimal reads it.
+std::string plainDecimal(double value, bool isPercent, std::optional<int> digitCount)
 {
   if (!std::isfinite(value) || value == 0)
   {
     return value == 0 ? "0" : std::to_string(value);
   }
-  char buffer[64];
-  const auto end =
-    std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
-  const std::string text(buffer, end); // d.ddde+dd
+  const std::string text = scientific(value, digitCount);
   const std::size_t e = text.find('e');
   std::string digits = text.substr(0, e);
   digits.erase(std::remove(digits.begin(), digits.end(), '.'), digits.end());
-  // The point is behind so many digits.
+  digits.erase(digits.find_last_not_of('0') + 1);
+  // The decimal point is behind so many digits.
   const int point = std::atoi(text.c_str() + e + 1) + 1 + (isPercent ? 2 : 0);
   if (point <= 0)
   {
@@ -140,6 +151,17 @@ std::string plainDecimal(double value, bool isPercent)
   const auto length = static_cast<int>(digits.size());
   return point >= length ? digits + std::string(point - length, '0')
                          : digits.substr(0, point) + "." + digits.substr(point);
+}
+
+std::string word(const PruneIteration& iteration, std::optional<int> digits)
+{
+  const MeasureTraits& traits = traitsOf(iteration.measure);
+  const bool isPercent = traits.unit == Unit::Share || iteration.ofDiagonal;
+  // A part with at most 2.5 triangles has at most 2.
+  const double threshold =
+    traits.unit == Unit::Count ? std::floor(iteration.threshold) : iteration.threshold;
+  return traits.letter + plainDecimal(threshold, isPercent, digits) + (isPercent ? "%" : "") +
+    (iteration.passes > 0 ? "x" + std::to_string(iteration.passes) : "");
 }
 }
 
@@ -172,15 +194,9 @@ std::vector<PruneIteration> parseSchedule(const std::string& words)
   return schedule;
 }
 
-std::string scheduleWord(const PruneIteration& iteration)
+std::string shortWord(const PruneIteration& iteration)
 {
-  const MeasureTraits& traits = traitsOf(iteration.measure);
-  const bool isPercent = traits.unit == Unit::Share || iteration.ofDiagonal;
-  // A part with at most 2.5 triangles has at most 2.
-  const double threshold =
-    traits.unit == Unit::Count ? std::floor(iteration.threshold) : iteration.threshold;
-  return traits.letter + plainDecimal(threshold, isPercent) + (isPercent ? "%" : "") +
-    (iteration.passes > 0 ? "x" + std::to_string(iteration.passes) : "");
+  return word(iteration, 3);
 }
 
 std::string scheduleWords(const std::vector<PruneIteration>& schedule)
@@ -188,7 +204,7 @@ std::string scheduleWords(const std::vector<PruneIteration>& schedule)
   std::string words;
   for (const PruneIteration& iteration : schedule)
   {
-    words += (words.empty() ? "" : " ") + scheduleWord(iteration);
+    words += (words.empty() ? "" : " ") + word(iteration, std::nullopt);
   }
   return words;
 }

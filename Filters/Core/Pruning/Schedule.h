@@ -42,8 +42,8 @@ std::vector<PruneIteration> parseSchedule(const std::string& words);
 /// @param schedule  valid: thresholds >= 0, shares <= 1
 std::string scheduleWords(const std::vector<PruneIteration>& schedule);
 
-/// The word of one iteration.
-std::string scheduleWord(const PruneIteration& iteration);
+/// The word of one iteration with its threshold to three digits, for people.
+std::string shortWord(const PruneIteration& iteration);
 
 /// How the words of a measure are written: tN, vP%, rX.
 std::string wordPattern(const MeasureTraits& traits);

@@ -98,6 +98,14 @@ TEST(Schedule, IsTheSameAfterItWasWrittenAndRead)
   EXPECT_EQ(parseSchedule(scheduleWords(schedule)), schedule);
 }
 
+TEST(Schedule, HasShortWordsForPeople)
+{
+  EXPECT_EQ(medial::shortWord({ Measure::RelativeVolume, 0.0123456, 0, false }), "v1.23%");
+  EXPECT_EQ(medial::shortWord({ Measure::RelativeVolume, 0.01, 1, false }), "v1%x1");
+  EXPECT_EQ(medial::shortWord({ Measure::Area, 123456, 0, false }), "a123000");
+  EXPECT_EQ(medial::shortWord({ Measure::MaximumRadius, 0.02, 0, true }), "r2%");
+}
+
 TEST(Schedule, HasAWordForEveryMeasure)
 {
   for (const MeasureTraits& traits : allMeasures())
