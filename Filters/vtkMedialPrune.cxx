@@ -7,6 +7,7 @@
 #include "Conversion/Pruned.h"
 #include "Conversion/SelectedCells.h"
 #include "Pipeline/ReportErrors.h"
+#include "Pruning/RemovalByHand.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -302,7 +303,8 @@ int vtkMedialPrune::RequestData(
         medial::readCells(axis, lists.PartsToProtect, lists.CellsToProtect, "protected") };
       const medial::Pruned pruned = medial::prune(this->Axis->Of(axis), options, execution);
       medial::write(pruned, axis, output, history, removed);
-      const std::string refusals = medial::refusals(pruned, options.cellsToRemove, axis);
+      const std::string refusals =
+        medial::refusals(pruned.fates, options.cellsToRemove, medial::readParts(axis));
       if (!refusals.empty())
       {
         vtkWarningMacro(<< refusals);

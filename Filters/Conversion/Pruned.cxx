@@ -22,10 +22,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
-#include <set>
-#include <sstream>
 
 namespace medial
 {
@@ -109,32 +106,6 @@ void addHistory(vtkFieldData* rows, const std::vector<PruneRow>& history)
     names::Betti, 3, history, [](const PruneRow& row) { return row.betti; }));
   add<vtkDoubleArray>(rows, names::VolumeRemoved, history, &PruneRow::volumeRemoved);
 }
-}
-
-std::string refusals(
-  const Pruned& pruned, const std::vector<Index>& cellsToRemove, vtkPolyData* axis)
-{
-  const std::vector<Index> partOfCell = readParts(axis);
-  std::map<CellFate, std::set<Index>> kept;
-  for (std::size_t i = 0; i < pruned.fates.size(); ++i)
-  {
-    const Index cell = cellsToRemove[i];
-    kept[pruned.fates[i]].insert(partOfCell.empty() ? cell : partOfCell[cell]);
-  }
-  const auto listed = [&](CellFate fate, const char* reason) {
-    std::ostringstream text;
-    for (const Index number : kept[fate])
-    {
-      text << (text.str().empty() ? "" : ", ") << number;
-    }
-    const char* what = partOfCell.empty() ? "cells " : "parts ";
-    return kept[fate].empty() ? std::string() : "; " + (what + text.str()) + ": " + reason;
-  };
-  const std::string text = listed(CellFate::Topology, "needed for the topology") +
-    listed(CellFate::Isolated, "a whole piece of the axis") +
-    listed(CellFate::Protected, "protected") +
-    listed(CellFate::AlreadyGone, "already gone with the schedule");
-  return text.empty() ? text : "not removed by hand" + text;
 }
 
 void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTable* history,

@@ -11,19 +11,20 @@
 /// A schedule is the list of iterations that pruning works through. In words: "t5 t5 v1%".
 namespace medial
 {
-/// One round of decompose - measure - prune.
+/// One iteration of a schedule: decompose the axis into parts, measure them, remove the small ones.
 ///
-/// Unlike the paper, passes are repeated. So that a long feature isn't eaten up from its end by small
-/// pieces, a removed part's significance passes to its neighbour: all that is removed at one place in
-/// one iteration has together at most the threshold, where the measure adds up. With one pass, or
-/// without topology, each part counts alone, as in the paper.
+/// Unlike the paper, an iteration repeats its passes until nothing changes. A removed part's
+/// significance then passes to its most significant neighbor. Without that, a long feature that falls
+/// apart into small parts would be removed piece by piece from its end. With it, what an iteration
+/// removes at one place has together at most the threshold, if the measure adds up. With a single
+/// pass, or with Topology::None, each part counts alone, as in the paper.
 struct PruneIteration
 {
   Measure measure = Measure::TriangleCount;
-  double threshold = 5; ///< parts with at most this significance go
+  double threshold = 5; ///< parts with at most this significance are removed
   int passes = 0;       ///< how often to repeat; 0: until nothing changes (the paper: 1)
   bool ofDiagonal =
-    false; ///< the threshold is a share of the diagonal of the samples' bounding box
+    false; ///< is the threshold a share of the diagonal of the samples' bounding box?
 };
 
 bool operator==(const PruneIteration& a, const PruneIteration& b);
