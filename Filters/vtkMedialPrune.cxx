@@ -296,11 +296,18 @@ int vtkMedialPrune::RequestData(
         this->SelectionRole == REMOVE ? lists.CellsToRemove : lists.CellsToProtect;
       const std::vector<vtkIdType> selected = medial::selectedCells(selection, axis);
       cells.insert(cells.end(), selected.begin(), selected.end());
-      const medial::PruneOptions options{ lists.Schedule, this->Automatic,
-        static_cast<medial::Topology>(this->Topology), this->RemoveHair, this->RemoveBranches,
-        this->SplitAtNecks ? this->NeckRatio : 0, this->VerifyTopology,
-        medial::readCells(axis, lists.PartsToRemove, lists.CellsToRemove, "removed"),
-        medial::readCells(axis, lists.PartsToProtect, lists.CellsToProtect, "protected") };
+      medial::PruneOptions options;
+      options.schedule = lists.Schedule;
+      options.automatic = this->Automatic;
+      options.topology = static_cast<medial::Topology>(this->Topology);
+      options.removeHair = this->RemoveHair;
+      options.removeBranches = this->RemoveBranches;
+      options.neckRatio = this->SplitAtNecks ? this->NeckRatio : 0;
+      options.verifyTopology = this->VerifyTopology;
+      options.cellsToRemove =
+        medial::readCells(axis, lists.PartsToRemove, lists.CellsToRemove, "removed");
+      options.cellsToProtect =
+        medial::readCells(axis, lists.PartsToProtect, lists.CellsToProtect, "protected");
       const medial::Pruned pruned = medial::prune(this->Axis->Of(axis), options, execution);
       medial::write(pruned, axis, output, history, removed);
       const std::string refusals =
