@@ -37,10 +37,11 @@ void PartCollapse::enter(const std::vector<Index>& unit)
         point.state = State::Free;
         this->ownPoints.push_back(p);
       }
-      ++point.count; // cells, for a start
+      ++point.count; // of cells, until the states are known; then of edges
     };
     forFaces(cells, this->living.edges, c, onEdge, onPoint);
   }
+  // An edge or a point with more living cells than the unit has there belongs to the rest, too.
   for (const Index p : this->ownPoints)
   {
     Face& point = this->points[p];
@@ -87,8 +88,9 @@ void PartCollapse::takeFromPoints(Index edge)
   }
 }
 
-bool PartCollapse::collapseTriangles(Index left)
+bool PartCollapse::collapseTriangles(Index triangleCount)
 {
+  Index left = triangleCount;
   std::vector<Index> todo;
   const auto offer = [&](Index e) {
     if (this->edges[e].count == 1 && this->edges[e].state == State::Free)
@@ -103,7 +105,7 @@ bool PartCollapse::collapseTriangles(Index left)
     todo.pop_back();
     if (this->edges[edge].count != 1)
     {
-      continue; // its last triangle went through another edge
+      continue; // its last triangle was collapsed through another edge
     }
     const Index triangle = this->edges[edge].numbers;
     --left;
@@ -133,7 +135,7 @@ bool PartCollapse::collapseEdges()
     todo.pop_back();
     if (this->points[point].count != 1)
     {
-      continue;
+      continue; // its last edge was collapsed through the other end
     }
     const Index edge = this->points[point].numbers;
     this->points[point].state = State::Gone;
