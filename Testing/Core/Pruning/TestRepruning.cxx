@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PruningTest.h"
+
+#include <random>
+
+using medial::Index;
+using medial::Measure;
+using medial::MedialAxis;
+using medial::PruneOptions;
+using medial::Topology;
+
+TEST(Pruning, AgainIsAsForTheFirstTime)
+{
+  // With whatever options, where the last schedule began with the same iterations or not.
+  const auto expectSame = [](const MedialAxis& axis, std::mt19937& random) {
+    medial::PrunableAxis prunable(axis);
+    PruneOptions options;
+    for (int i = 0; i < 12; ++i)
+    {
+      SCOPED_TRACE(testing::Message() << "pruning " << i);
+      const auto isTime = [&random](unsigned one) { return random() % one == 0; };
+      options.automatic = isTime(8);
+      options.removeHair = options.removeHair != isTime(4);
+      options.removeBranches = options.removeBranches != isTime(4);
+      options.neckRatio = isTime(4) ? 0.5 - options.neckRatio : options.neckRatio;
+      options.topology = isTime(4) ? static_cast<Topology>(random() % 3) : options.topology;
+      if (isTime(4))
+      {
+        options.cellsToProtect.assign(1, static_cast<Index>(random() % axis.cells.size()));
+      }
+      options.schedule.resize(random() % (options.schedule.size() + 1));
+      for (unsigned j = 0; j < 1 + random() % 2; ++j)
+      {
+        const Measure measure =
+          medial::allMeasures()[random() % medial::allMeasures().size()].measure;
+        options.schedule.push_back({ measure, random() % 4 * 0.6, static_cast<int>(random() % 3) });
+      }
+      options.cellsToRemove.assign(random() % 2, static_cast<Index>(random() % axis.cells.size()));
+      options.verifyTopology = axis.cells.size() < 1000 && random() % 4 == 0;
+      EXPECT_EQ(pipelines::bytesOf(medial::prune(prunable, options)),
+        pipelines::bytesOf(medial::prune(axis, options)));
+    }
+  };
+  for (unsigned seed = 400; seed < 430; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    expectSame(complexes::randomComplex(seed).axis(), random);
+    if (seed < 403)
+    {
+      expectSame(pipelines::of("two-hole plate").axis(), random);
+    }
+  }
+}
