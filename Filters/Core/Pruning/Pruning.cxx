@@ -243,10 +243,10 @@ PrunableAxis::PrunableAxis(MedialAxis medialAxis)
 {
 }
 
-Pruned prune(PrunableAxis& input, const PruneOptions& givenOptions, const Execution& execution)
+Pruned prune(PrunableAxis& input, const PruneOptions& requestedOptions, const Execution& execution)
 {
-  requireValid(input.axis, givenOptions);
-  const PruneOptions options = inUnits(givenOptions, input.axis.sampleDiagonal);
+  requireValid(input.axis, requestedOptions);
+  const PruneOptions options = inUnits(requestedOptions, input.axis.sampleDiagonal);
   const Bodies limbs =
     options.neckRatio > 0 ? bodies(input.axis, input.edges, options.neckRatio) : Bodies{};
   LivingCells living =
