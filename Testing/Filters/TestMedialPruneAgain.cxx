@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MedialPruneTest.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkMultiBlockDataSet.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace
+{
+using filterTest::boxPipeline;
+using filterTest::onlyError;
+using filterTest::same;
+using medialPruneTest::pruneBox;
+
+TEST(MedialPrune, RunsAloneWhenAThresholdChanges)
+{
+  filterTest::Pipeline pipeline(filterTest::cloud(filterTest::smallBox().samples));
+  pipeline.prune->Update();
+  const vtkMTimeType before = pipeline.axis->GetOutput()->GetMTime();
+  pipeline.prune->ClearIterations();
+  pipeline.prune->AddIteration(vtkMedialPrune::RELATIVE_VOLUME, 0.02);
+  pipeline.prune->Update();
+  EXPECT_EQ(pipeline.axis->GetOutput()->GetMTime(), before);
+}
+
+/// Does the filter give what one gives that has not run before?
+testing::AssertionResult prunesAfresh(vtkMedialPrune* filter, vtkDataObject* input)
+{
+  vtkNew<vtkMedialPrune> fresh;
+  fresh->SetInputData(input);
+  fresh->ClearIterations();
+  for (int i = 0; i < filter->GetNumberOfIterations(); ++i)
+  {
+    fresh->AddIteration(filter->GetIterationMeasure(i), filter->GetIterationThreshold(i));
+  }
+  fresh->SetSplitAtNecks(filter->GetSplitAtNecks());
+  fresh->Update();
+  filter->Update();
+  for (int port = 0; port < 3; ++port)
+  {
+    auto result = same(filter->GetOutputDataObject(port), fresh->GetOutputDataObject(port));
+    if (!result)
+    {
+      return result << " at output " << port;
+    }
+  }
+  return testing::AssertionSuccess();
+}
+
+TEST(MedialPrune, GivesTheSameWhateverItDidBefore)
+{
+  vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
+  vtkDataObject* box = boxPipeline().parts->GetOutput();
+  for (const double threshold : { 5, 1000000, 0, 20 })
+  {
+    filter->ClearIterations();
+    filter->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, threshold);
+    EXPECT_TRUE(prunesAfresh(filter, box)) << threshold;
+  }
+  filter->SplitAtNecksOn();
+  EXPECT_TRUE(prunesAfresh(filter, box));
+  filter->SplitAtNecksOff();
+  EXPECT_TRUE(prunesAfresh(filter, box));
+}
+
+TEST(MedialPrune, SeesThatItsInputHasChanged)
+{
+  const auto input = filterTest::copy<vtkPolyData>(boxPipeline().axis->GetOutput());
+  const auto other = filterTest::copy<vtkPolyData>(boxPipeline().prune->GetOutput());
+  vtkNew<vtkMedialPrune> filter;
+  filter->SetInputData(input);
+  EXPECT_TRUE(prunesAfresh(filter, input));
+  vtkDataArray* volumes = input->GetFieldData()->GetArray("BallVolume");
+  for (vtkIdType ball = 0; ball < volumes->GetNumberOfTuples(); ball += 2)
+  {
+    volumes->SetComponent(ball, 0, 3 * volumes->GetComponent(ball, 0));
+  }
+  volumes->Modified();
+  const auto before = filterTest::copy<vtkPolyData>(filter->GetOutput());
+  EXPECT_TRUE(prunesAfresh(filter, input));
+  EXPECT_FALSE(same(before, filter->GetOutput()));
+  filter->SetInputData(other);
+  EXPECT_TRUE(prunesAfresh(filter, other));
+  filter->SetInputData(input);
+  EXPECT_TRUE(prunesAfresh(filter, input));
+}
+
+TEST(MedialPrune, SeesThatItsInputHasBecomeUseless)
+{
+  const auto input = filterTest::copy<vtkPolyData>(boxPipeline().axis->GetOutput());
+  vtkNew<vtkMedialPrune> filter;
+  filter->SetInputData(input);
+  filter->Update();
+  const auto owners = vtkSmartPointer<vtkDataArray>(input->GetFieldData()->GetArray("BallOwner"));
+  input->GetFieldData()->RemoveArray("BallOwner");
+  EXPECT_NE(onlyError(filter).find("BallOwner"), std::string::npos);
+  input->GetFieldData()->AddArray(owners);
+  EXPECT_TRUE(prunesAfresh(filter, input));
+}
+
+TEST(MedialPrune, GivesTheSameForEachBlockWhateverItDidBefore)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, boxPipeline().axis->GetOutput());
+  blocks->SetBlock(1, boxPipeline().prune->GetOutput());
+  vtkNew<vtkMedialPrune> filter;
+  filter->SetInputData(blocks);
+  for (const double threshold : { 5, 1000000 })
+  {
+    filter->ClearIterations();
+    filter->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, threshold);
+    filter->Update();
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    for (unsigned int block = 0; block < 2; ++block)
+    {
+      vtkSmartPointer<vtkMedialPrune> alone = pruneBox();
+      alone->SetInputData(blocks->GetBlock(block));
+      alone->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, threshold);
+      alone->Update();
+      EXPECT_TRUE(same(output->GetBlock(block), alone->GetOutput())) << threshold << " " << block;
+    }
+  }
+}
+
+TEST(MedialPrune, RunsAgainWhenAPropertyChanges)
+{
+  vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
+  const std::vector<std::function<void()>> changes = {
+    [&] { filter->ClearIterations(); },
+    [&] { filter->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, 5, 1); },
+    [&] { filter->SetTopologyToNone(); },
+    [&] { filter->RemoveHairOff(); },
+    [&] { filter->RemoveBranchesOff(); },
+    [&] { filter->AddPartToRemove(1); },
+    [&] { filter->ClearPartsToRemove(); },
+    [&] { filter->AddCellToRemove(1); },
+    [&] { filter->ClearCellsToRemove(); },
+    [&] { filter->AddPartToProtect(1); },
+    [&] { filter->ClearPartsToProtect(); },
+    [&] { filter->AddCellToProtect(1); },
+    [&] { filter->ClearCellsToProtect(); },
+    [&] { filter->SetTopologyToPaperGraph(); },
+    [&] { filter->VerifyTopologyOn(); },
+    [&] { filter->SetSelectionRoleToProtect(); },
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i)
+  {
+    const vtkMTimeType before = filter->GetMTime();
+    changes[i]();
+    EXPECT_GT(filter->GetMTime(), before) << "change " << i;
+  }
+  EXPECT_EQ(filter->GetIterationPasses(0), 1);
+}
+}
