@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Balls/PolarBalls.h"
 
-#include "Balls/Labels.h"
+#include "Balls/Sides.h"
 #include "Base/DisjointSets.h"
 #include "Base/Frame.h"
 #include "Base/Lists.h"
@@ -429,7 +429,7 @@ PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execut
     }
   }
   result.sides =
-    labels({ distinct.points, ballsOfSample, result.balls, result.touchesGuard, result.cells },
+    sides({ distinct.points, ballsOfSample, result.balls, result.touchesGuard, result.cells },
       execution.part(0.8, 0.9));
   measureVolumes(spheres, ballOfCell, ballsOfSample, result, execution);
   describeSamples(distinct, ballsOfSample, result);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Balls/Labels.h"
+#include "Balls/Sides.h"
 
 #include "Base/Frame.h"
 #include "Base/Lists.h"
@@ -9,11 +9,21 @@
 #include <cmath>
 #include <queue>
 
+// The balls are the nodes of a graph. A link joins two balls that intersect (they have the same side,
+// with the strength of their intersection) or the two poles of a sample (they have opposite sides,
+// with the strength of the angle between them). Each ball carries a belief, 0 ... 1, in either side.
+// The balls that are surely outside start with 1.
+//
+// As in Dijkstra's algorithm, the most decided ball is taken from a queue, its side is fixed, and it
+// passes its belief times the strength of the link on to each neighbour, where the larger belief
+// counts. Invariant: the side of a ball that was taken never changes, and no belief is larger than
+// the one it came from. With m balls and e links this costs O((m + e) log e) time; both numbers are
+// proportional to the number of samples in practice.
 namespace medial
 {
 namespace
 {
-/// How surely a ball has the same side as another one, or the other side.
+/// Evidence about another ball: does it have the same side or the opposite one, and how surely?
 struct Link
 {
   Index ball;
@@ -30,7 +40,7 @@ struct Pair
   bool same;
 };
 
-std::vector<Pair> pairs(const LabelInput& input)
+std::vector<Pair> pairs(const SideInput& input)
 {
   std::vector<Pair> result;
   for (const Edge& edge : edgeNumbers(input.cells, count(input.balls)).edges)
@@ -74,6 +84,8 @@ struct Beliefs
 {
   std::vector<std::array<float, 2>> of; ///< outer, inner
 
+  /// What the queue is ordered by. A contested ball, with evidence for both sides, comes after all
+  /// others: its value is negative.
   float priority(Index ball) const
   {
     const auto [outer, inner] = this->of[ball];
@@ -81,6 +93,7 @@ struct Beliefs
   }
 };
 
+/// Fixes the sides of the balls that chains of links connect with a ball that is surely outside.
 void spread(const Links& links, Beliefs& beliefs, std::vector<Side>& sides)
 {
   using Entry = std::pair<float, Index>; // priority, and minus the ball: lowest first among equals
@@ -98,6 +111,7 @@ void spread(const Links& links, Beliefs& beliefs, std::vector<Side>& sides)
     const auto [priority, negative] = queue.top();
     const Index b = -negative;
     queue.pop();
+    // A ball is in the queue once for each of its beliefs; only the entry of the latest counts.
     if (done[b] || priority != beliefs.priority(b))
     {
       continue;
@@ -119,20 +133,21 @@ void spread(const Links& links, Beliefs& beliefs, std::vector<Side>& sides)
 }
 }
 
-std::vector<Side> labels(const LabelInput& input, const Execution& execution)
+std::vector<Side> sides(const SideInput& input, const Execution& execution)
 {
-  std::vector<Side> sides(input.balls.size(), Side::Outer);
+  std::vector<Side> result(input.balls.size(), Side::Outer);
   Beliefs beliefs{ std::vector<std::array<float, 2>>(input.balls.size(), { 0, 0 }) };
+  // The samples cover the whole boundary, so a centre outside their bounding box is outside the solid.
   const Eigen::AlignedBox3d box = boundingBox(input.samples);
-  for (std::size_t b = 0; b < sides.size(); ++b)
+  for (std::size_t b = 0; b < result.size(); ++b)
   {
     const bool beyond = !box.contains(input.balls[b].center);
     beliefs.of[b][0] = input.touchesGuard[b] || beyond ? 1 : 0;
   }
   const Links network = links(pairs(input), count(input.balls));
   execution.report(0.5);
-  spread(network, beliefs, sides);
-  std::vector<char> visible(sides.size(), 0);
+  spread(network, beliefs, result);
+  std::vector<char> visible(result.size(), 0);
   for (const Tetrahedron& cell : input.cells)
   {
     for (const Index ball : cell)
@@ -140,11 +155,11 @@ std::vector<Side> labels(const LabelInput& input, const Execution& execution)
       visible[ball] = 1;
     }
   }
-  for (std::size_t b = 0; b < sides.size(); ++b)
+  for (std::size_t b = 0; b < result.size(); ++b)
   {
-    sides[b] = visible[b] ? sides[b] : Side::Hidden;
+    result[b] = visible[b] ? result[b] : Side::Hidden;
   }
   execution.report(1);
-  return sides;
+  return result;
 }
 }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_Sides_h
+#define medial_Sides_h
+
+#include "Base/Execution.h"
+#include "Base/Types.h"
+
+#include <vector>
+
+namespace medial
+{
+/// What decides which balls are inside the solid. All lengths are in one frame.
+struct SideInput
+{
+  const std::vector<Point>& samples;
+  const std::vector<std::array<Index, 2>>& ballsOfSample; ///< its two polar balls, or None
+  const std::vector<Ball>& balls;
+  const std::vector<char>& touchesGuard; ///< for each ball
+  const std::vector<Tetrahedron>& cells; ///< of the balls' regular triangulation
+};
+
+/// The side of each ball ([ACK01] section 4).
+///
+/// Balls that touch a guard, or whose centre is outside the samples' bounding box, are outer. From
+/// them labels spread to the other balls, the most certain label first. Balls that intersect deeply
+/// are on the same side; the two poles of a sample are on opposite sides. A ball that no label
+/// reaches is outer. A ball in no cell is hidden.
+std::vector<Side> sides(const SideInput& input, const Execution& execution = {});
+}
+
+#endif
