@@ -1,187 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Balls/PolarBalls.h"
 
+#include "Balls/DelaunaySpheres.h"
+#include "Balls/DistinctSamples.h"
 #include "Balls/Sides.h"
-#include "Base/DisjointSets.h"
 #include "Base/Frame.h"
 #include "Base/Lists.h"
-#include "Base/Predicates.h"
 #include "Base/Triangulations.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numeric>
 
+// Steps: Delaunay triangulation of samples and guards; the poles of each sample; a ball for each class
+// of cells that is somebody's pole; the balls' regular triangulation; their sides; their volumes.
+// Samples are numbered in lexicographic order here, and by `ids` as in the input where they leave. All
+// lengths are in the frame until the end. With n samples there are at most 2n balls, and all steps
+// take O(n log n) time in practice; the two triangulations take most of it.
 namespace medial
 {
 namespace
 {
-/// The distinct samples in lexicographic order, so that results do not depend on the order given.
-struct DistinctSamples
-{
-  Frame frame;
-  std::vector<Point> points;      ///< local
-  std::vector<Index> ids;         ///< lowest number of an equal sample in the input
-  std::vector<Index> duplicateOf; ///< for each sample of the input
-};
-
-bool lexicographicallyLess(const Point& a, const Point& b)
-{
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-}
-
-DistinctSamples distinctSamples(const std::vector<Point>& samples)
-{
-  DistinctSamples result;
-  result.frame = frameOf(samples);
-  std::vector<Point> local(samples.size());
-  std::transform(samples.begin(), samples.end(), local.begin(),
-    [&](const Point& p) -> Point { return result.frame.toLocal(p); });
-  std::vector<Index> order(samples.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return local[a] == local[b] ? a < b : lexicographicallyLess(local[a], local[b]);
-  });
-  result.duplicateOf.assign(samples.size(), None);
-  for (const Index i : order)
-  {
-    if (!result.points.empty() && result.points.back() == local[i])
-    {
-      result.duplicateOf[i] = result.ids.back();
-      continue;
-    }
-    result.points.push_back(local[i]);
-    result.ids.push_back(i);
-  }
-  return result;
-}
-
-/// @throw InvalidInput  no four samples span a volume, beyond the rounding of their coordinates
-void requireVolume(const DistinctSamples& distinct)
-{
-  const std::vector<Point>& points = distinct.points;
-  if (points.size() < 4)
-  {
-    throw InvalidInput("there are only ", points.size(),
-      " distinct samples; at least 4 points of a closed surface are needed");
-  }
-  const auto farthest = [&points](const auto& distance) {
-    return *std::max_element(points.begin(), points.end(),
-      [&](const Point& p, const Point& q) { return distance(p) < distance(q); });
-  };
-  const Point a = points.front();
-  const Point b = farthest([&](const Point& p) { return (p - a).norm(); });
-  const Point direction = (b - a).normalized();
-  const auto fromLine = [&](const Point& p) { return (p - a).cross(direction).norm(); };
-  const Point c = farthest(fromLine);
-  // Each coordinate is known to half a unit in the last place, given ones and local ones.
-  const double rounding = 8 * std::numeric_limits<double>::epsilon() *
-    (1 + distinct.frame.center.cwiseAbs().maxCoeff() * distinct.frame.scale);
-  if (fromLine(c) <= rounding)
-  {
-    throw InvalidInput("all samples are on one line; points of a closed surface are needed");
-  }
-  const Point normal = (b - a).cross(c - a).normalized();
-  const auto fromPlane = [&](const Point& p) { return std::abs((p - a).dot(normal)); };
-  const double width = (b - a).norm() / fromLine(c); // how much a plane through them is tilted
-  if (fromPlane(farthest(fromPlane)) <= rounding * std::max(1.0, width))
-  {
-    throw InvalidInput("all samples are in one plane; points of a closed surface are needed");
-  }
-}
-
-/// Corners of a cube about the centre, so that every sample has an outer pole. Half its side is 2.5
-/// times the diagonal of the samples' bounding box.
-std::array<Point, 8> guards(const std::vector<Point>& points)
-{
-  const Eigen::AlignedBox3d box = boundingBox(points);
-  const double half = 2.5 * box.diagonal().norm();
-  std::array<Point, 8> corners;
-  for (int i = 0; i < 8; ++i)
-  {
-    corners[i] = box.center() + half * Point(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-  }
-  return corners;
-}
-
-/// The Delaunay triangulation of samples and guards; classes of cells with the same circumsphere.
-struct Spheres
-{
-  std::vector<Point> points; ///< samples, then guards
-  Index sampleCount;
-  Tetrahedra delaunay;
-  std::vector<double> cellVolumes;
-  std::vector<Index> classOfCell; ///< lowest cell of the class
-  std::vector<Ball> ballOfCell;   ///< the same for the whole class
-};
-
-/// All cells of a class take the sphere of its cell of largest volume, the best conditioned.
-void shareBalls(Spheres& spheres)
-{
-  std::vector<Index> best(spheres.ballOfCell.size(), None);
-  for (Index c = 0; c < count(best); ++c)
-  {
-    Index& chosen = best[spheres.classOfCell[c]];
-    if (chosen == None || spheres.cellVolumes[c] > spheres.cellVolumes[chosen])
-    {
-      chosen = c;
-    }
-  }
-  const std::vector<Ball> own = spheres.ballOfCell;
-  for (Index c = 0; c < count(best); ++c)
-  {
-    spheres.ballOfCell[c] = own[best[spheres.classOfCell[c]]];
-  }
-}
-
-Spheres delaunaySpheres(const std::vector<Point>& samples, const Execution& execution)
-{
-  Spheres result;
-  result.points = samples;
-  result.sampleCount = count(samples);
-  for (const Point& guard : guards(samples))
-  {
-    result.points.push_back(guard);
-  }
-  result.delaunay = delaunay(result.points, execution);
-  const Index cellCount = count(result.delaunay.cells);
-  result.ballOfCell.resize(cellCount);
-  result.cellVolumes.resize(cellCount);
-  execution.forEach(cellCount, [&](Index c) {
-    const Tetrahedron& v = result.delaunay.cells[c];
-    const std::vector<Point>& p = result.points;
-    const std::array<Point, 4> corners{ p[v[0]], p[v[1]], p[v[2]], p[v[3]] };
-    result.ballOfCell[c] = circumsphere(corners, constructionError);
-    result.cellVolumes[c] =
-      std::abs(
-        (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(corners[3] - corners[0])) /
-      6;
-  });
-  DisjointSets classes(cellCount);
-  for (Index c = 0; c < cellCount; ++c)
-  {
-    for (const Index n : result.delaunay.neighbors[c])
-    {
-      if (n > c && (result.ballOfCell[c].center - result.ballOfCell[n].center).norm() < coincident)
-      {
-        classes.unite(c, n);
-      }
-    }
-  }
-  result.classOfCell.resize(cellCount);
-  for (Index c = 0; c < cellCount; ++c)
-  {
-    result.classOfCell[c] = classes.find(c);
-  }
-  shareBalls(result);
-  return result;
-}
-
-/// The classes of the two poles of each sample, as their lowest cells, or None.
-std::vector<std::array<Index, 2>> poles(const Spheres& spheres)
+/// For each sample the classes (their lowest cells) of its two poles, or None. The first pole is the
+/// farthest Voronoi vertex of the sample's cell, the second one the farthest in the opposite half-space.
+std::vector<std::array<Index, 2>> poles(const DelaunaySpheres& spheres)
 {
   std::vector<std::array<Index, 2>> result(spheres.sampleCount, { None, None });
   // Every sphere passes through its sample, so the farthest centre has the largest radius.
@@ -216,9 +57,10 @@ std::vector<std::array<Index, 2>> poles(const Spheres& spheres)
   return result;
 }
 
-/// Gives every class that is a pole the number of a ball; returns it for each cell, or None.
-std::vector<Index> numberBalls(
-  const Spheres& spheres, const std::vector<std::array<Index, 2>>& poles, PolarBalls& result)
+/// Makes a ball of every class that is a pole.
+/// @return  for each cell the ball of its class, or None
+std::vector<Index> numberBalls(const DelaunaySpheres& spheres,
+  const std::vector<std::array<Index, 2>>& poles, PolarBalls& result)
 {
   std::vector<char> isPole(spheres.classOfCell.size(), 0);
   for (const auto& pair : poles)
@@ -245,8 +87,8 @@ std::vector<Index> numberBalls(
   return ballOfCell;
 }
 
-/// Fills ballSamples (ids of the input) and touchesGuard.
-void collectSamples(const Spheres& spheres, const std::vector<Index>& ballOfCell,
+/// Fills ballSamples, with numbers of the input, and touchesGuard.
+void collectSamples(const DelaunaySpheres& spheres, const std::vector<Index>& ballOfCell,
   const std::vector<Index>& ids, PolarBalls& result)
 {
   std::vector<std::vector<Index>> samples(result.balls.size());
@@ -276,10 +118,11 @@ void collectSamples(const Spheres& spheres, const std::vector<Index>& ballOfCell
   }
 }
 
-/// Adds the volume of every inner Delaunay cell to one inner ball: its own, else of the balls of its
-/// samples the one with the least power at its centroid (no volume where that is outside). Its own is
-/// a pole's.
-void measureVolumes(const Spheres& spheres, const std::vector<Index>& ballOfCell,
+/// Shares the volume of the solid out among the inner balls: each Delaunay cell counts for one ball.
+/// That is the ball of its own class. A class that is nobody's pole has none; its cells count for that
+/// ball of its samples that has the least power at the cell's centroid. A cell whose ball is not inner
+/// is outside the solid and counts for nothing.
+void measureVolumes(const DelaunaySpheres& spheres, const std::vector<Index>& ballOfCell,
   const std::vector<std::array<Index, 2>>& ballsOfSample, PolarBalls& result,
   const Execution& execution)
 {
@@ -376,35 +219,20 @@ void describeSamples(const DistinctSamples& distinct,
   }
 }
 
-/// Mean length of the shortest edge at a sample: its nearest neighbour is a Delaunay neighbour. Samples
-/// that are the same to rounding don't count.
-double meanSpacing(const Spheres& spheres)
+/// Lengths and volumes from the frame to the unit of the samples.
+void toWorld(const Frame& frame, PolarBalls& balls)
 {
-  std::vector<double> shortest(spheres.sampleCount, std::numeric_limits<double>::infinity());
-  for (const Tetrahedron& cell : spheres.delaunay.cells)
+  const double unit = 1 / frame.scale;
+  balls.spacing *= unit;
+  std::transform(balls.balls.begin(), balls.balls.end(), balls.balls.begin(),
+    [&](const Ball& ball) { return frame.toWorld(ball); });
+  for (std::vector<double>* volumes : { &balls.volumes, &balls.poleVolumes })
   {
-    for (const auto& [i, j] : cellEdges)
+    for (double& volume : *volumes)
     {
-      const Index a = cell[i], b = cell[j];
-      if (a < spheres.sampleCount && b < spheres.sampleCount)
-      {
-        const double length = (spheres.points[a] - spheres.points[b]).norm();
-        shortest[a] = length < coincident ? shortest[a] : std::min(shortest[a], length);
-        shortest[b] = length < coincident ? shortest[b] : std::min(shortest[b], length);
-      }
+      volume *= unit * unit * unit;
     }
   }
-  double sum = 0;
-  Index finite = 0;
-  for (const double length : shortest)
-  {
-    if (std::isfinite(length))
-    {
-      sum += length;
-      ++finite;
-    }
-  }
-  return finite > 0 ? sum / finite : 0;
 }
 }
 
@@ -412,7 +240,7 @@ PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execut
 {
   const DistinctSamples distinct = distinctSamples(samples);
   requireVolume(distinct);
-  const Spheres spheres = delaunaySpheres(distinct.points, execution.part(0, 0.2));
+  const DelaunaySpheres spheres = delaunaySpheres(distinct.points, execution.part(0, 0.2));
   const std::vector<std::array<Index, 2>> poleClasses = poles(spheres);
   PolarBalls result;
   result.samples = samples;
@@ -433,18 +261,8 @@ PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execut
       execution.part(0.8, 0.9));
   measureVolumes(spheres, ballOfCell, ballsOfSample, result, execution);
   describeSamples(distinct, ballsOfSample, result);
-
-  const double unit = 1 / distinct.frame.scale;
-  result.spacing = meanSpacing(spheres) * unit;
-  std::transform(result.balls.begin(), result.balls.end(), result.balls.begin(),
-    [&](const Ball& ball) { return distinct.frame.toWorld(ball); });
-  for (std::vector<double>* volumes : { &result.volumes, &result.poleVolumes })
-  {
-    for (double& volume : *volumes)
-    {
-      volume *= unit * unit * unit;
-    }
-  }
+  result.spacing = meanSpacing(spheres);
+  toWorld(distinct.frame, result);
   execution.report(1);
   return result;
 }

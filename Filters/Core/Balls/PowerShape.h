@@ -21,10 +21,10 @@ struct ShapeTriangle
 };
 
 /// The power shape: all simplices of the balls' regular triangulation whose corners are inner
-/// balls (paper 2.1). It has the topology of the solid.
+/// balls (paper 2.1). It has the topology of the solid. Balls are labelled before the shape is built.
 ///
-/// Unlike the dual shape of the union of balls (alpha = 0) it needs no comparison of radii: all
-/// balls through a sample meet there, and rounding would decide.
+/// Unlike the dual shape of the union of balls (alpha = 0) it depends on labels alone, not on whether
+/// balls overlap. All balls through a sample meet there, so rounding error would decide that.
 struct PowerShape
 {
   Tetrahedra triangulation;   ///< of all balls, with neighbours
@@ -38,6 +38,7 @@ struct PowerShape
 PowerShape powerShape(const PolarBalls& polarBalls, const Execution& execution = {});
 
 /// Betti numbers of the subcomplex of all simplices of a triangulation whose corners are marked.
+/// @param mesh  the whole convex hull, with neighbours
 Betti markedBetti(const Tetrahedra& mesh, const std::vector<char>& marked);
 }
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Balls/DistinctSamples.h"
+
+#include "Base/Errors.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace medial
+{
+namespace
+{
+bool lexicographicallyLess(const Point& a, const Point& b)
+{
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+}
+
+DistinctSamples distinctSamples(const std::vector<Point>& samples)
+{
+  DistinctSamples result;
+  result.frame = frameOf(samples);
+  std::vector<Point> local(samples.size());
+  std::transform(samples.begin(), samples.end(), local.begin(),
+    [&](const Point& p) -> Point { return result.frame.toLocal(p); });
+  std::vector<Index> order(samples.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return local[a] == local[b] ? a < b : lexicographicallyLess(local[a], local[b]);
+  });
+  result.duplicateOf.assign(samples.size(), None);
+  for (const Index i : order)
+  {
+    if (!result.points.empty() && result.points.back() == local[i])
+    {
+      result.duplicateOf[i] = result.ids.back();
+      continue;
+    }
+    result.points.push_back(local[i]);
+    result.ids.push_back(i);
+  }
+  return result;
+}
+
+void requireVolume(const DistinctSamples& distinct)
+{
+  const std::vector<Point>& points = distinct.points;
+  if (points.size() < 4)
+  {
+    throw InvalidInput("there are only ", points.size(),
+      " distinct samples; at least 4 points of a closed surface are needed");
+  }
+  const auto farthest = [&points](const auto& distance) {
+    return *std::max_element(points.begin(), points.end(),
+      [&](const Point& p, const Point& q) { return distance(p) < distance(q); });
+  };
+  // Greedily, the largest tetrahedron from the first point: the farthest point b, then c farthest from
+  // the line ab, then the point farthest from the plane abc.
+  const Point a = points.front();
+  const Point b = farthest([&](const Point& p) { return (p - a).norm(); });
+  const Point direction = (b - a).normalized();
+  const auto fromLine = [&](const Point& p) { return (p - a).cross(direction).norm(); };
+  const Point c = farthest(fromLine);
+  // Each coordinate is known to half a unit in the last place, given ones and local ones.
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() *
+    (1 + distinct.frame.center.cwiseAbs().maxCoeff() * distinct.frame.scale);
+  if (fromLine(c) <= rounding)
+  {
+    throw InvalidInput("all samples are on one line; points of a closed surface are needed");
+  }
+  const Point normal = (b - a).cross(c - a).normalized();
+  const auto fromPlane = [&](const Point& p) { return std::abs((p - a).dot(normal)); };
+  const double width = (b - a).norm() / fromLine(c); // how much a plane through them is tilted
+  if (fromPlane(farthest(fromPlane)) <= rounding * std::max(1.0, width))
+  {
+    throw InvalidInput("all samples are in one plane; points of a closed surface are needed");
+  }
+}
+
+std::array<Point, 8> guards(const std::vector<Point>& points)
+{
+  const Eigen::AlignedBox3d box = boundingBox(points);
+  const double half = 2.5 * box.diagonal().norm();
+  std::array<Point, 8> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners[i] = box.center() + half * Point(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+  }
+  return corners;
+}
+}
