@@ -7,13 +7,25 @@
 
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkPolarBalls);
 
+vtkPolarBalls::vtkPolarBalls()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
 int vtkPolarBalls::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+int vtkPolarBalls::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
   return 1;
 }
 
@@ -27,13 +39,14 @@ int vtkPolarBalls::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  vtkUnstructuredGrid* balls = vtkUnstructuredGrid::GetData(outputVector, 0);
+  vtkPolyData* samples = vtkPolyData::GetData(outputVector, 1);
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
-      const medial::PolarBalls balls =
-        medial::polarBalls(medial::readSamples(input), execution.part(0, 0.9));
-      const medial::PowerShape shape = medial::powerShape(balls, execution.part(0.9, 1));
-      medial::write(balls, shape.betti, input, output);
+      const medial::PolarBallsAndSamples made =
+        medial::polarBallsAndSamples(medial::readSamples(input), execution.part(0, 0.9));
+      const medial::PowerShape shape = medial::powerShape(made.balls, execution.part(0.9, 1));
+      medial::write(made, shape.betti, input, balls, samples);
     });
 }
 

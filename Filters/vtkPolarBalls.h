@@ -9,24 +9,22 @@
  * Input: any vtkPointSet. Its points are the samples; its cells are ignored. Lengths are in the
  * unit of the samples, volumes in its cube. Repeated points count once.
  *
- * Output: vtkUnstructuredGrid. A point is the centre of a ball, a cell a tetrahedron of the regular
- * triangulation of the balls with their squared radii as weights. This one object is the dual of
- * the power diagram: its cells with four inner corners are the power shape.
+ * Output 0: vtkUnstructuredGrid, the balls, as the next filters take them. A point is the centre of a
+ * ball, a cell a tetrahedron of the regular triangulation of the balls with their squared radii as
+ * weights. This one object is the dual of the power diagram: its cells with four inner corners are the
+ * power shape.
  *
  * Point data
  *  - `Radius` (double, > 0): of the ball.
  *  - `InnerRadius` (double, active scalars): the same where the ball is inner, else 0; to draw the inner balls.
  *  - `Side` (unsigned char): 0 outer, 1 inner, 2 hidden (it has no cell in the power diagram).
  *  - `TouchesGuard` (unsigned char, 0 or 1): it passes through a corner of the cube around the samples.
- *  - `Volume` (double): of the Delaunay cells it stands for; 0 where it is not inner.
- *  - `PoleVolume` (double): of those whose circumsphere the ball is.
+ *  - `Volume` (double): of the Delaunay cells that count for it; 0 where it is not inner.
+ *  - `PoleVolume` (double): of only the cells whose circumsphere the ball is.
  *
  * Field data, one entry for each sample, in the order of the input
  *  - `Samples` (double, 3 components): where it is.
- *  - `DuplicateOf` (vtkIdType): the first sample at the very same place, or -1.
  *  - `SampleInnerBall`, `SampleOuterBall` (vtkIdType): its ball inside and outside, or -1.
- *  - `SamplingQuality` (double, -1 ... 1): -cos of the angle at which it sees its two poles. 1 is
- *    best; 0 and less: an edge of the solid, or too few samples.
  *
  * Field data, lists: the samples on ball i, ascending, are `BallSamples`[`BallSampleOffsets`[i]] ...
  * `BallSamples`[`BallSampleOffsets`[i + 1] - 1] (vtkIdType).
@@ -38,9 +36,19 @@
  *  - `BettiPowerShape` (vtkIdType, 3 components): pieces, tunnels and voids of the power shape,
  *    which are those of the solid.
  *
- * The field data of the input is passed on. An error (fewer than 4 distinct points, all on a line
- * or in a plane, a coordinate that is not finite) leaves the output empty and sets the error code.
- * Under MPI the piece 0 holds everything.
+ * Output 1: vtkPolyData, the samples, to look at. A point is a sample, in the order of the input, with
+ * repeated ones; there is a vertex cell for each.
+ *
+ * Point data
+ *  - `SamplingQuality` (double, -1 ... 1, active scalars): -cos of the angle at which the sample sees
+ *    its two poles. 1 is best; 0 and less: an edge of the solid, or too few samples.
+ *  - `InnerBall`, `OuterBall` (vtkIdType): its ball inside and outside, a point of output 0, or -1. The
+ *    same as `SampleInnerBall` and `SampleOuterBall`.
+ *  - `DuplicateOf` (vtkIdType): the first sample at the very same place, or -1.
+ *
+ * The field data of the input is passed on to both. An error (fewer than 4 distinct points, all on a
+ * line or in a plane, a coordinate that is not finite) leaves the outputs empty and sets the error
+ * code. Under MPI the piece 0 holds everything.
  *
  * See R. Tam, W. Heidrich, "Shape simplification based on the medial axis transform", IEEE
  * Visualization 2003, section 2; N. Amenta, S. Choi, R. Kolluri, "The power crust", 2001.
@@ -62,10 +70,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
-  vtkPolarBalls() = default;
+  vtkPolarBalls();
   ~vtkPolarBalls() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

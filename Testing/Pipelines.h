@@ -94,10 +94,12 @@ public:
   const shapes::Shape shape;
   const double diagonal; ///< of the samples' bounding box
 
-  const medial::PolarBalls& balls()
+  const medial::PolarBallsAndSamples& ballsAndSamples()
   {
-    return once(this->theBalls, [this] { return medial::polarBalls(this->shape.samples); });
+    return once(
+      this->theBalls, [this] { return medial::polarBallsAndSamples(this->shape.samples); });
   }
+  const medial::PolarBalls& balls() { return this->ballsAndSamples().balls; }
   const medial::PowerShape& powerShape()
   {
     return once(this->thePowerShape, [this] { return medial::powerShape(this->balls()); });
@@ -145,7 +147,7 @@ private:
     return *value;
   }
 
-  std::optional<medial::PolarBalls> theBalls;
+  std::optional<medial::PolarBallsAndSamples> theBalls;
   std::optional<medial::PowerShape> thePowerShape;
   std::optional<medial::SingularPoints> theSites;
   std::optional<medial::MedialAxis> theAxis;
@@ -215,10 +217,16 @@ public:
 inline std::string bytesOf(const medial::PolarBalls& b)
 {
   Bytes bytes;
-  bytes.add(b.samples).add(b.duplicateOf).add(b.innerBall).add(b.outerBall).add(b.samplingQuality);
+  bytes.add(b.samples).add(b.innerBall).add(b.outerBall);
   bytes.add(b.balls).add(b.sides).add(b.touchesGuard).add(b.volumes).add(b.poleVolumes);
   bytes.add(b.ballSamples);
   return bytes.add(b.spacing).add(b.cells).text;
+}
+
+inline std::string bytesOf(const medial::PolarBallsAndSamples& made)
+{
+  const medial::SampleDescription& samples = made.samples;
+  return bytesOf(made.balls) + Bytes().add(samples.duplicateOf).add(samples.quality).text;
 }
 
 inline std::string bytesOf(const medial::SingularPoints& s)

@@ -20,10 +20,8 @@ constexpr const char* Volume = "Volume";
 constexpr const char* PoleVolume = "PoleVolume";
 // ... field data, one entry for each sample
 constexpr const char* Samples = "Samples";
-constexpr const char* DuplicateOf = "DuplicateOf";
 constexpr const char* SampleInnerBall = "SampleInnerBall";
 constexpr const char* SampleOuterBall = "SampleOuterBall";
-constexpr const char* SamplingQuality = "SamplingQuality";
 // ... field data, lists of samples, one list for each ball
 constexpr const char* BallSampleOffsets = "BallSampleOffsets";
 constexpr const char* BallSamples = "BallSamples";
@@ -35,6 +33,9 @@ constexpr const char* NumberOfOuterBalls = "NumberOfOuterBalls";
 constexpr const char* NumberOfHiddenBalls = "NumberOfHiddenBalls";
 constexpr const char* SampleSpacing = "SampleSpacing";
 constexpr const char* BettiPowerShape = "BettiPowerShape";
+// ... points of the samples; InnerBall, OuterBall too
+constexpr const char* SamplingQuality = "SamplingQuality";
+constexpr const char* DuplicateOf = "DuplicateOf";
 
 // vtkMedialAxis: points
 constexpr const char* BallId = "BallId";

@@ -11,6 +11,7 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -46,17 +47,16 @@ void addInnerRadii(vtkFieldData* data, const PolarBalls& balls)
 void addSamples(vtkFieldData* field, const PolarBalls& balls)
 {
   field->AddArray(tuples<vtkDoubleArray>(names::Samples, 3, balls.samples));
-  add<vtkIdTypeArray>(field, names::DuplicateOf, balls.duplicateOf);
   add<vtkIdTypeArray>(field, names::SampleInnerBall, balls.innerBall);
   add<vtkIdTypeArray>(field, names::SampleOuterBall, balls.outerBall);
-  add<vtkDoubleArray>(field, names::SamplingQuality, balls.samplingQuality);
   add<vtkIdTypeArray>(field, names::BallSampleOffsets, balls.ballSamples.offsets);
   add<vtkIdTypeArray>(field, names::BallSamples, balls.ballSamples.items);
 }
 
-void addCounts(vtkFieldData* field, const PolarBalls& balls)
+void addCounts(vtkFieldData* field, const PolarBallsAndSamples& made)
 {
-  const std::vector<Index>& duplicates = balls.duplicateOf;
+  const PolarBalls& balls = made.balls;
+  const std::vector<Index>& duplicates = made.samples.duplicateOf;
   const auto unique = std::count(duplicates.begin(), duplicates.end(), None);
   const auto ballsOn = [&](Side side) {
     return std::count(balls.sides.begin(), balls.sides.end(), side);
@@ -68,15 +68,8 @@ void addCounts(vtkFieldData* field, const PolarBalls& balls)
   addOne<vtkIdTypeArray>(field, names::NumberOfHiddenBalls, ballsOn(Side::Hidden));
   addOne<vtkDoubleArray>(field, names::SampleSpacing, balls.spacing);
 }
-}
 
-std::vector<Point> readSamples(vtkPointSet* input)
-{
-  return readPoints(input);
-}
-
-void write(
-  const PolarBalls& balls, const Betti& powerShape, vtkPointSet* input, vtkUnstructuredGrid* output)
+void writeBalls(const PolarBalls& balls, vtkUnstructuredGrid* output)
 {
   output->SetPoints(points(balls.balls, [](const Ball& ball) { return ball.center; }));
   output->SetCells(VTK_TETRA, cellArray(balls.cells));
@@ -88,11 +81,43 @@ void write(
   add<vtkUnsignedCharArray>(ballData, names::TouchesGuard, balls.touchesGuard);
   add<vtkDoubleArray>(ballData, names::Volume, balls.volumes);
   add<vtkDoubleArray>(ballData, names::PoleVolume, balls.poleVolumes);
-  vtkFieldData* field = output->GetFieldData();
+}
+
+/// A vertex for each sample, so that they can be drawn and picked.
+void writeSamples(const PolarBallsAndSamples& made, vtkPolyData* output)
+{
+  std::vector<std::array<Index, 1>> vertices(made.balls.samples.size());
+  for (Index sample = 0; sample < count(vertices); ++sample)
+  {
+    vertices[sample] = { sample };
+  }
+  output->SetPoints(points(made.balls.samples));
+  output->SetVerts(cellArray(vertices));
+  vtkPointData* sampleData = output->GetPointData();
+  add<vtkDoubleArray>(sampleData, names::SamplingQuality, made.samples.quality);
+  sampleData->SetActiveScalars(names::SamplingQuality);
+  add<vtkIdTypeArray>(sampleData, names::InnerBall, made.balls.innerBall);
+  add<vtkIdTypeArray>(sampleData, names::OuterBall, made.balls.outerBall);
+  add<vtkIdTypeArray>(sampleData, names::DuplicateOf, made.samples.duplicateOf);
+}
+}
+
+std::vector<Point> readSamples(vtkPointSet* input)
+{
+  return readPoints(input);
+}
+
+void write(const PolarBallsAndSamples& made, const Betti& powerShape, vtkPointSet* input,
+  vtkUnstructuredGrid* balls, vtkPolyData* samples)
+{
+  writeBalls(made.balls, balls);
+  vtkFieldData* field = balls->GetFieldData();
   field->PassData(input->GetFieldData());
-  addSamples(field, balls);
-  addCounts(field, balls);
+  addSamples(field, made.balls);
+  addCounts(field, made);
   addBetti(field, names::BettiPowerShape, powerShape);
+  writeSamples(made, samples);
+  samples->GetFieldData()->PassData(input->GetFieldData());
 }
 
 PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
@@ -121,10 +146,8 @@ PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
     result.samples.emplace_back(samples[i], samples[i + 1], samples[i + 2]);
   }
   const Index sampleCount = toIndex(static_cast<vtkIdType>(result.samples.size()), "samples");
-  result.duplicateOf = field.indices(names::DuplicateOf, sampleCount, None, sampleCount);
   result.innerBall = field.indices(names::SampleInnerBall, sampleCount, None, ballCount);
   result.outerBall = field.indices(names::SampleOuterBall, sampleCount, None, ballCount);
-  result.samplingQuality = field.reals(names::SamplingQuality, sampleCount);
   result.ballSamples =
     field.lists(names::BallSampleOffsets, names::BallSamples, ballCount, sampleCount);
   result.spacing = field.reals(names::SampleSpacing, 1, std::numeric_limits<double>::min()).front();

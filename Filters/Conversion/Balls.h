@@ -7,6 +7,7 @@
 #include <vector>
 
 class vtkPointSet;
+class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace medial
@@ -19,9 +20,13 @@ constexpr const char* TakePolarBalls =
 /// The points of a data set, in their order.
 std::vector<Point> readSamples(vtkPointSet* input);
 
-/// @param powerShape  Betti numbers of the power shape of `balls`
-void write(const PolarBalls& balls, const Betti& powerShape, vtkPointSet* input,
-  vtkUnstructuredGrid* output);
+/// Writes the balls and the samples, as vtkPolarBalls.h describes them.
+/// @param powerShape  Betti numbers of the power shape of the balls
+/// @param input       its field data is passed on to both outputs
+void write(const PolarBallsAndSamples& made, const Betti& powerShape, vtkPointSet* input,
+  vtkUnstructuredGrid* balls, vtkPolyData* samples);
+
+/// @throw InvalidInput  an array is missing or does not fit
 PolarBalls readPolarBalls(vtkUnstructuredGrid* input);
 }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTest.h"
 
+#include <vtkCell.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <cmath>
@@ -27,6 +30,11 @@ double field(vtkDataObject* data, const char* name, vtkIdType entry = 0, int com
   return data->GetFieldData()->GetArray(name)->GetComponent(entry, component);
 }
 
+vtkPolyData* samplesOf(vtkPolarBalls* filter)
+{
+  return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+}
+
 /// What the filter says about samples that it can't use.
 std::string refusal(const std::vector<Point>& samples)
 {
@@ -43,10 +51,88 @@ TEST(PolarBalls, HaveTheArraysOfTheirHeader)
       "Side unsigned char 1", "TouchesGuard unsigned char 1", "Volume double 1" }));
   EXPECT_EQ(arrays(balls->GetFieldData()),
     (std::vector<std::string>{ "BallSampleOffsets idtype 1", "BallSamples idtype 1",
-      "BettiPowerShape idtype 3", "DuplicateOf idtype 1", "NumberOfDuplicates idtype 1",
-      "NumberOfHiddenBalls idtype 1", "NumberOfInnerBalls idtype 1", "NumberOfOuterBalls idtype 1",
-      "NumberOfSamples idtype 1", "SampleInnerBall idtype 1", "SampleOuterBall idtype 1",
-      "SampleSpacing double 1", "Samples double 3", "SamplingQuality double 1" }));
+      "BettiPowerShape idtype 3", "NumberOfDuplicates idtype 1", "NumberOfHiddenBalls idtype 1",
+      "NumberOfInnerBalls idtype 1", "NumberOfOuterBalls idtype 1", "NumberOfSamples idtype 1",
+      "SampleInnerBall idtype 1", "SampleOuterBall idtype 1", "SampleSpacing double 1",
+      "Samples double 3" }));
+}
+
+TEST(PolarBalls, HaveSamplesWithTheArraysOfTheirHeader)
+{
+  vtkPolyData* samples = samplesOf(boxPipeline().balls);
+  EXPECT_EQ(arrays(samples->GetPointData()),
+    (std::vector<std::string>{ "DuplicateOf idtype 1", "InnerBall idtype 1", "OuterBall idtype 1",
+      "SamplingQuality double 1" }));
+  EXPECT_EQ(arrays(samples->GetCellData()), std::vector<std::string>());
+  EXPECT_EQ(arrays(samples->GetFieldData()), std::vector<std::string>());
+  EXPECT_STREQ(samples->GetPointData()->GetScalars()->GetName(), "SamplingQuality");
+  EXPECT_EQ(samples->GetPoints()->GetDataType(), VTK_DOUBLE);
+}
+
+TEST(PolarBalls, HaveAVertexForEachSampleInTheOrderGiven)
+{
+  vtkPolyData* samples = samplesOf(boxPipeline().balls);
+  const std::vector<Point>& given = smallBox().samples;
+  ASSERT_EQ(samples->GetNumberOfPoints(), static_cast<vtkIdType>(given.size()));
+  ASSERT_EQ(samples->GetNumberOfCells(), samples->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < samples->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(Point(samples->GetPoint(i)), given[static_cast<std::size_t>(i)]);
+    ASSERT_EQ(samples->GetCellType(i), VTK_VERTEX);
+    EXPECT_EQ(samples->GetCell(i)->GetPointId(0), i);
+  }
+}
+
+TEST(PolarBalls, TellTheQualityOfTheirSamples)
+{
+  vtkDataArray* quality = samplesOf(boxPipeline().balls)->GetPointData()->GetScalars();
+  EXPECT_GE(quality->GetRange()[0], -1);
+  EXPECT_LT(quality->GetRange()[0], 0.5); // at an edge of the box
+  EXPECT_LE(quality->GetRange()[1], 1);
+  EXPECT_GT(quality->GetRange()[1], 0.9); // on a face
+}
+
+TEST(PolarBalls, TellTheTwoBallsOfTheirSamples)
+{
+  vtkUnstructuredGrid* balls = boxPipeline().balls->GetOutput();
+  vtkPolyData* samples = samplesOf(boxPipeline().balls);
+  vtkDataArray* sides = balls->GetPointData()->GetArray("Side");
+  vtkDataArray* radii = balls->GetPointData()->GetArray("Radius");
+  for (const bool inner : { false, true })
+  {
+    vtkDataArray* ids = samples->GetPointData()->GetArray(inner ? "InnerBall" : "OuterBall");
+    const char* same = inner ? "SampleInnerBall" : "SampleOuterBall";
+    vtkIdType found = 0;
+    for (vtkIdType i = 0; i < samples->GetNumberOfPoints(); ++i)
+    {
+      const auto ball = static_cast<vtkIdType>(ids->GetComponent(i, 0));
+      ASSERT_EQ(field(balls, same, i), static_cast<double>(ball));
+      ASSERT_GE(ball, -1);
+      ASSERT_LT(ball, balls->GetNumberOfPoints());
+      if (ball >= 0)
+      {
+        const double radius = radii->GetComponent(ball, 0);
+        const double distance = (Point(balls->GetPoint(ball)) - Point(samples->GetPoint(i))).norm();
+        EXPECT_EQ(sides->GetComponent(ball, 0), inner);
+        EXPECT_NEAR(distance, radius, 1e-8 * (1 + radius));
+        ++found;
+      }
+    }
+    EXPECT_GT(found, samples->GetNumberOfPoints() / 2);
+  }
+}
+
+TEST(PolarBalls, PassFieldDataOnToTheirSamples)
+{
+  vtkSmartPointer<vtkPolyData> given = cloud(smallBox().samples);
+  vtkNew<vtkStringArray> note;
+  note->SetName("Note");
+  note->InsertNextValue("kept");
+  given->GetFieldData()->AddArray(note);
+  vtkNew<vtkPolarBalls> filter;
+  filter->SetInputData(given);
+  filter->Update();
+  EXPECT_EQ(samplesOf(filter)->GetFieldData()->GetAbstractArray("Note"), note);
 }
 
 TEST(PolarBalls, AreDoubles)
@@ -121,7 +207,17 @@ TEST(PolarBalls, TakeRepeatedPointsOnce)
   vtkUnstructuredGrid* balls = pipeline.balls->GetOutput();
   EXPECT_EQ(balls->GetNumberOfPoints(), boxPipeline().balls->GetOutput()->GetNumberOfPoints());
   EXPECT_EQ(field(balls, "NumberOfDuplicates"), 10);
-  EXPECT_EQ(field(balls, "DuplicateOf", static_cast<vtkIdType>(samples.size()) - 1), 9);
+  vtkPolyData* output = samplesOf(pipeline.balls);
+  ASSERT_EQ(output->GetNumberOfPoints(), static_cast<vtkIdType>(samples.size()));
+  const vtkIdType repeated = output->GetNumberOfPoints() - 1;
+  for (const char* name : { "SamplingQuality", "InnerBall", "OuterBall" })
+  {
+    vtkDataArray* values = output->GetPointData()->GetArray(name);
+    EXPECT_EQ(values->GetComponent(repeated, 0), values->GetComponent(9, 0)) << name;
+  }
+  vtkDataArray* first = output->GetPointData()->GetArray("DuplicateOf");
+  EXPECT_EQ(first->GetComponent(repeated, 0), 9);
+  EXPECT_EQ(first->GetComponent(9, 0), -1);
 }
 
 TEST(PolarBalls, DontLookAtCells)

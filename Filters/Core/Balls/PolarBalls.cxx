@@ -178,15 +178,13 @@ std::vector<Tetrahedron> powerCells(const std::vector<Ball>& balls, const Execut
   return triangulation.tetrahedra().cells;
 }
 
-/// Fills the arrays with one entry for each sample.
-void describeSamples(const DistinctSamples& distinct,
+/// Fills innerBall and outerBall. A repeated sample has the balls of the first one at its place.
+void assignBalls(const DistinctSamples& distinct,
   const std::vector<std::array<Index, 2>>& ballsOfSample, PolarBalls& result)
 {
   const std::size_t n = distinct.duplicateOf.size();
-  result.duplicateOf = distinct.duplicateOf;
   result.innerBall.assign(n, None);
   result.outerBall.assign(n, None);
-  result.samplingQuality.assign(n, 0);
   for (Index s = 0; s < count(ballsOfSample); ++s)
   {
     const Index id = distinct.ids[s];
@@ -199,24 +197,41 @@ void describeSamples(const DistinctSamples& distinct,
         place = ball;
       }
     }
-    const auto [first, second] = ballsOfSample[s];
-    if (first != None && second != None)
-    {
-      const Point u = result.balls[first].center - distinct.points[s];
-      const Point v = result.balls[second].center - distinct.points[s];
-      result.samplingQuality[id] = -u.normalized().dot(v.normalized());
-    }
   }
   for (std::size_t i = 0; i < n; ++i)
   {
-    const Index first = result.duplicateOf[i];
+    const Index first = distinct.duplicateOf[i];
     if (first != None)
     {
       result.innerBall[i] = result.innerBall[first];
       result.outerBall[i] = result.outerBall[first];
-      result.samplingQuality[i] = result.samplingQuality[first];
     }
   }
+}
+
+/// @param balls  in the frame
+SampleDescription describeSamples(const DistinctSamples& distinct,
+  const std::vector<std::array<Index, 2>>& ballsOfSample, const std::vector<Ball>& balls)
+{
+  SampleDescription result;
+  result.duplicateOf = distinct.duplicateOf;
+  result.quality.assign(result.duplicateOf.size(), 0);
+  for (Index s = 0; s < count(ballsOfSample); ++s)
+  {
+    const auto [first, second] = ballsOfSample[s];
+    if (first != None && second != None)
+    {
+      const Point u = balls[first].center - distinct.points[s];
+      const Point v = balls[second].center - distinct.points[s];
+      result.quality[distinct.ids[s]] = -u.normalized().dot(v.normalized());
+    }
+  }
+  for (std::size_t i = 0; i < result.quality.size(); ++i)
+  {
+    const Index first = result.duplicateOf[i];
+    result.quality[i] = result.quality[first == None ? i : first];
+  }
+  return result;
 }
 
 /// Lengths and volumes from the frame to the unit of the samples.
@@ -236,13 +251,15 @@ void toWorld(const Frame& frame, PolarBalls& balls)
 }
 }
 
-PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execution)
+PolarBallsAndSamples polarBallsAndSamples(
+  const std::vector<Point>& samples, const Execution& execution)
 {
   const DistinctSamples distinct = distinctSamples(samples);
   requireVolume(distinct);
   const DelaunaySpheres spheres = delaunaySpheres(distinct.points, execution.part(0, 0.2));
   const std::vector<std::array<Index, 2>> poleClasses = poles(spheres);
-  PolarBalls result;
+  PolarBallsAndSamples made;
+  PolarBalls& result = made.balls;
   result.samples = samples;
   const std::vector<Index> ballOfCell = numberBalls(spheres, poleClasses, result);
   collectSamples(spheres, ballOfCell, distinct.ids, result);
@@ -260,11 +277,17 @@ PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execut
     sides({ distinct.points, ballsOfSample, result.balls, result.touchesGuard, result.cells },
       execution.part(0.8, 0.9));
   measureVolumes(spheres, ballOfCell, ballsOfSample, result, execution);
-  describeSamples(distinct, ballsOfSample, result);
+  assignBalls(distinct, ballsOfSample, result);
+  made.samples = describeSamples(distinct, ballsOfSample, result.balls);
   result.spacing = meanSpacing(spheres);
   toWorld(distinct.frame, result);
   execution.report(1);
-  return result;
+  return made;
+}
+
+PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execution)
+{
+  return polarBallsAndSamples(samples, execution).balls;
 }
 
 std::vector<std::vector<Index>> innerBallsOfSamples(const PolarBalls& polarBalls)

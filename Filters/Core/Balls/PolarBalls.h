@@ -10,27 +10,25 @@
 
 namespace medial
 {
-/// The polar balls of a set of samples, and the dual of their power diagram (paper 2; [ACK01]).
+/// The polar balls of a set of samples, and the dual of their power diagram (paper 2; [ACK01]): what
+/// later stages read.
 ///
 /// A polar ball is centred at a pole: a farthest Voronoi vertex of a sample's cell, inside or
 /// outside the solid. One ball stands for all Delaunay cells with (exactly or to rounding) the same
 /// circumsphere. Lengths are in the unit of the samples, volumes in its cube.
 struct PolarBalls
 {
-  // One entry for each sample, in the order given.
+  // One entry for each sample, in the order of the input.
   std::vector<Point> samples;
-  std::vector<Index> duplicateOf;      ///< first sample at the very same place, or None
-  std::vector<Index> innerBall;        ///< its ball inside the solid, or None
-  std::vector<Index> outerBall;        ///< its ball outside the solid, or None
-  std::vector<double> samplingQuality; ///< -cos of the angle at which it sees its two poles: 1 is
-                                       ///< best; 0 and less: an edge, or too few samples
+  std::vector<Index> innerBall; ///< its ball inside the solid, or None
+  std::vector<Index> outerBall; ///< its ball outside the solid, or None
 
   // One entry for each ball.
   std::vector<Ball> balls;
   std::vector<Side> sides;
   std::vector<char> touchesGuard;  ///< passes through a corner of the cube around the samples
-  std::vector<double> volumes;     ///< of the Delaunay cells it stands for; 0 where not inner
-  std::vector<double> poleVolumes; ///< the same of the Delaunay cells on the very ball (paper 4.2)
+  std::vector<double> volumes;     ///< of the Delaunay cells that count for it; 0 where not inner
+  std::vector<double> poleVolumes; ///< of only the cells whose circumsphere it is (paper 4.2)
   IndexLists ballSamples;          ///< all samples on its sphere, ascending
 
   double spacing = 0; ///< mean distance of a distinct sample to the nearest other one
@@ -39,12 +37,31 @@ struct PolarBalls
   std::vector<Tetrahedron> cells;
 };
 
-/// The polar balls of `samples`, each labelled inner or outer.
+/// What is known about the samples that no later stage reads: one entry for each sample, in the order
+/// of the input.
+struct SampleDescription
+{
+  std::vector<Index> duplicateOf; ///< the first sample at the very same place, or None
+  std::vector<double> quality; ///< -cos of the angle at which it sees its two poles, -1 ... 1: 1 is
+                               ///< best; 0 and less: an edge, or too few samples
+};
+
+struct PolarBallsAndSamples
+{
+  PolarBalls balls;
+  SampleDescription samples;
+};
+
+/// The polar balls of `samples`, each labelled inner or outer, and a description of the samples.
 ///
 /// @param samples  points of the boundary of a solid, any unit; repeated points count once
 /// @throw InvalidInput  fewer than 4 distinct points, all on a line or in a plane, or a coordinate
 ///                      that is not finite
 /// @throw Aborted
+PolarBallsAndSamples polarBallsAndSamples(
+  const std::vector<Point>& samples, const Execution& execution = {});
+
+/// The polar balls alone.
 PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execution = {});
 
 /// For each sample the inner balls that it lies on, ascending.

@@ -261,7 +261,7 @@ TEST(PolarBalls, SpacingIsThatOfTheSamples)
 TEST(PolarBalls, QualityTellsSmoothFromSharp)
 {
   forEachShape([](Pipeline& p) {
-    std::vector<double> quality = p.balls().samplingQuality;
+    std::vector<double> quality = p.ballsAndSamples().samples.quality;
     ASSERT_EQ(quality.size(), p.shape.samples.size());
     for (const double q : quality)
     {
@@ -271,7 +271,7 @@ TEST(PolarBalls, QualityTellsSmoothFromSharp)
     EXPECT_GT(quality[quality.size() / 2], 0.9);
   });
   const Pipeline& box = pipelines::of("box");
-  EXPECT_LT(pipelines::of("box").balls().samplingQuality[0], 0.5)
+  EXPECT_LT(pipelines::of("box").ballsAndSamples().samples.quality[0], 0.5)
     << box.shape.samples[0].transpose();
 }
 
@@ -280,13 +280,17 @@ TEST(PolarBalls, CountRepeatedSamplesOnce)
   const std::vector<Point> once = shapes::capsule(0.2).samples;
   std::vector<Point> twice = once;
   twice.insert(twice.end(), once.begin(), once.begin() + 40);
-  const PolarBalls a = medial::polarBalls(once), b = medial::polarBalls(twice);
+  const PolarBalls a = medial::polarBalls(once);
+  const medial::PolarBallsAndSamples made = medial::polarBallsAndSamples(twice);
+  const PolarBalls& b = made.balls;
   EXPECT_EQ(pipelines::Bytes().add(a.balls).add(a.sides).add(a.ballSamples).add(a.cells).text,
     pipelines::Bytes().add(b.balls).add(b.sides).add(b.ballSamples).add(b.cells).text);
   for (Index s = 0; s < medial::count(twice); ++s)
   {
     const Index original = s < medial::count(once) ? None : s - medial::count(once);
-    EXPECT_EQ(b.duplicateOf[s], original);
+    EXPECT_EQ(made.samples.duplicateOf[s], original);
+    EXPECT_EQ(made.samples.quality[s], made.samples.quality[original == None ? s : original]);
+    EXPECT_EQ(b.innerBall[s], b.innerBall[original == None ? s : original]);
   }
 }
 

@@ -92,8 +92,9 @@ TEST(PolarBalls, AreTheSameOnManyThreadsAndInEveryRun)
   {
     SCOPED_TRACE(name);
     Pipeline& p = pipelines::of(name);
-    EXPECT_EQ(pipelines::bytesOf(medial::polarBalls(p.shape.samples, pipelines::threaded())),
-      pipelines::bytesOf(p.balls()));
+    EXPECT_EQ(
+      pipelines::bytesOf(medial::polarBallsAndSamples(p.shape.samples, pipelines::threaded())),
+      pipelines::bytesOf(p.ballsAndSamples()));
   }
 }
 
