@@ -172,7 +172,7 @@ solid's closed boundary; cells are ignored.
 )" + helpOf(optionsOf(defaults)) +
     R"(
 Results, all or none:
-  balls.vtu              polar balls and the dual of their power diagram
+  balls.vtu samples.vtp  polar balls and the dual of their power diagram; the samples
   axis.vtp  parts.vtp    medial axis; the same with its parts
   pruned.vtp             what pruning left of it
   surface.vtp  .stl      surface of the simplified solid; .stl in triangles

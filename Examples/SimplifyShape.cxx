@@ -116,6 +116,8 @@ void write(vtkDataObject* data, const std::string& name, OutputFolder& folder)
 void writeData(vtkSimplifyShape* simplify, OutputFolder& folder)
 {
   write<vtkXMLUnstructuredGridWriter>(simplify->GetPolarBalls()->GetOutput(), "balls.vtu", folder);
+  write<vtkXMLPolyDataWriter>(
+    simplify->GetPolarBalls()->GetOutputDataObject(1), "samples.vtp", folder);
   write<vtkXMLPolyDataWriter>(simplify->GetMedialAxis()->GetOutput(), "axis.vtp", folder);
   write<vtkXMLPolyDataWriter>(
     simplify->GetUnprunedPartDecomposition()->GetOutput(), "parts.vtp", folder);

@@ -19,7 +19,7 @@ import unittest
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 
-DATA = {"balls.vtu", "axis.vtp", "parts.vtp", "pruned.vtp", "surface.vtp", "surface.stl",
+DATA = {"balls.vtu", "samples.vtp", "axis.vtp", "parts.vtp", "pruned.vtp", "surface.vtp", "surface.stl",
         "parts.csv", "history.csv", "report.json"}
 PICTURES = {"samples.png", "axis.png", "parts.png", "pruned.png", "surface.png", "overview.png"}
 

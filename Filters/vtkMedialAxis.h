@@ -45,9 +45,10 @@
  *  - `Kappa` (double): which Voronoi vertices were candidates, see README.md; -1 with the fallback.
  *  - `NumberOfOffAxisBalls` (vtkIdType): inner balls that are not on the axis.
  *
- * The field data of the input is passed on. An error (an array that is missing or does not fit, no
- * inner balls) leaves the output empty and sets the error code. Under MPI the piece 0 holds
- * everything.
+ * The field data of the input is passed on, but for `Samples`, `SampleInnerBall`, `SampleOuterBall`,
+ * `BallSampleOffsets` and `BallSamples`, which are long: what reads them reads the balls. An error (an
+ * array that is missing or does not fit, no inner balls) leaves the output empty and sets the error
+ * code. Under MPI the piece 0 holds everything.
  *
  * See R. Tam, W. Heidrich, "Shape simplification based on the medial axis transform", IEEE
  * Visualization 2003, sections 2.1 and 3.

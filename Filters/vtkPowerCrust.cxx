@@ -33,7 +33,7 @@ struct KeptBalls
   std::vector<medial::Index> Parts;
   std::optional<medial::Betti> Topology;
 
-  KeptBalls(vtkPolyData* axisData, const medial::PolarBalls& balls)
+  KeptBalls(vtkPolyData* axisData, vtkUnstructuredGrid* balls)
   {
     if (!axisData)
     {
@@ -41,7 +41,7 @@ struct KeptBalls
     }
     const medial::MedialAxis axis = medial::readMedialAxis(axisData);
     const std::vector<medial::Index> parts = medial::readParts(axisData);
-    medial::checkSameBalls(axis, balls);
+    medial::checkSameBalls(axisData, balls);
     this->Flags = medial::keptBalls(axis);
     this->Topology = medial::bettiNumbers(axis.cells);
     if (!parts.empty())
@@ -86,7 +86,7 @@ int vtkPowerCrust::RequestData(
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::PolarBalls balls = medial::readPolarBalls(input);
-      const KeptBalls kept(medial::axisOf(input, axes), balls);
+      const KeptBalls kept(medial::axisOf(input, axes), input);
       const medial::CrustOptions options{ static_cast<medial::CrustRule>(this->Rule),
         this->Clearance, this->MaximumRounds, kept.Topology };
       medial::write(

@@ -31,9 +31,9 @@
  *  - `MaximumClearance` (double): largest distance of a point that is no sample to the union of the
  *    kept balls, in sample spacings; 0 where none is outside.
  *
- * The field data of input 0 is passed on. An error (an array that is missing or does not fit, an
- * axis of other balls, no ball kept) leaves the output empty and sets the error code. Under MPI the
- * piece 0 holds everything.
+ * The field data of input 0 is passed on as by vtkMedialAxis. An error (an array that is missing or
+ * does not fit, an axis of other balls, no ball kept) leaves the output empty and sets the error code.
+ * Under MPI the piece 0 holds everything.
  *
  * See N. Amenta, S. Choi, R. Kolluri, "The power crust", 2001; R. Tam, W. Heidrich, "Shape
  * simplification based on the medial axis transform", IEEE Visualization 2003, section 5.

@@ -4,6 +4,7 @@
 #include "Base/Errors.h"
 #include "Conversion/ArrayNames.h"
 #include "Conversion/Arrays.h"
+#include "Conversion/Axis.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -38,26 +39,6 @@ std::vector<int> ranksOf(const std::vector<vtkIdType>& sizes, int rankCount)
     *least += sizes[object];
   }
   return result;
-}
-
-bool sameNumbers(vtkDataArray* a, vtkDataArray* b)
-{
-  if (!a || !b || a->GetNumberOfTuples() != b->GetNumberOfTuples() ||
-    a->GetNumberOfComponents() != b->GetNumberOfComponents())
-  {
-    return false;
-  }
-  for (vtkIdType i = 0; a != b && i < a->GetNumberOfTuples(); ++i)
-  {
-    for (int c = 0; c < a->GetNumberOfComponents(); ++c)
-    {
-      if (a->GetComponent(i, c) != b->GetComponent(i, c))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
 }
 }
 
@@ -106,11 +87,10 @@ vtkPolyData* axisOf(vtkUnstructuredGrid* balls, vtkDataObject* axes)
   {
     return vtkPolyData::SafeDownCast(axes);
   }
-  vtkDataArray* samples = balls->GetFieldData()->GetArray(names::Samples);
   for (auto block = firstBlock(blocks); !block->IsDoneWithTraversal(); block->GoToNextItem())
   {
     auto* axis = vtkPolyData::SafeDownCast(block->GetCurrentDataObject());
-    if (axis && sameNumbers(samples, axis->GetFieldData()->GetArray(names::Samples)))
+    if (axis && isMadeFrom(axis, balls))
     {
       return axis;
     }

@@ -24,7 +24,7 @@ void shareOut(vtkCompositeDataSet* input, int rank, int rankCount, vtkCompositeD
 /// Is it a whole object that shareOut has given to this rank?
 bool isSharedOut(vtkDataObject* data);
 
-/// The axis made from these balls: `axes` itself, or its block with the same samples.
+/// The axis made from these balls: `axes` itself, unchecked, or the block that was made from them.
 /// @return  nullptr where `axes` is
 /// @throw InvalidInput  it has no such block
 vtkPolyData* axisOf(vtkUnstructuredGrid* balls, vtkDataObject* axes);

@@ -4,6 +4,7 @@
 #include "Base/Errors.h"
 #include "Conversion/ArrayNames.h"
 #include "Conversion/Arrays.h"
+#include "Conversion/Balls.h"
 #include "Conversion/Cells.h"
 
 #include "vtkCellData.h"
@@ -35,6 +36,40 @@ AxisCells readAxisCells(vtkPolyData* input, Index pointCount)
   result.edges = readCells<2>(input->GetLines(), pointCount, TakeMedialAxis);
   result.triangles = readCells<3>(input->GetPolys(), pointCount, TakeMedialAxis);
   return result;
+}
+
+bool sameNumbers(vtkDataArray* a, vtkDataArray* b)
+{
+  if (!a || !b || a->GetNumberOfTuples() != b->GetNumberOfTuples() ||
+    a->GetNumberOfComponents() != 1 || b->GetNumberOfComponents() != 1)
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; a != b && i < a->GetNumberOfTuples(); ++i)
+  {
+    if (a->GetComponent(i, 0) != b->GetComponent(i, 0))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Is each point of the axis that has a ball at the ball's centre? Volumes alone don't tell objects
+/// apart that differ by their place only. Damaged numbers of balls are left to readMedialAxis.
+bool pointsAreCenters(vtkPolyData* axis, vtkUnstructuredGrid* balls)
+{
+  vtkDataArray* ids = axis->GetPointData()->GetArray(names::BallId);
+  for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
+  {
+    const double ball = ids->GetComponent(i, 0);
+    if (ball >= 0 && ball < static_cast<double>(balls->GetNumberOfPoints()) &&
+      Point(axis->GetPoint(i)) != Point(balls->GetPoint(static_cast<vtkIdType>(ball))))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 Index offAxisBalls(const std::vector<Index>& ballOwner)
@@ -77,7 +112,7 @@ void write(const MedialAxis& axis, vtkUnstructuredGrid* balls, vtkPolyData* outp
   add<vtkDoubleArray>(cells, names::Lambda, axis.siteViews, &SiteView::lambda);
   add<vtkDoubleArray>(cells, names::ErosionThickness, axis.cellErosion);
   vtkFieldData* field = output->GetFieldData();
-  field->PassData(balls->GetFieldData());
+  passFieldData(balls, field);
   add<vtkIdTypeArray>(field, names::BallOwner, axis.ballOwner);
   add<vtkDoubleArray>(field, names::BallVolume, axis.ballVolumes);
   add<vtkDoubleArray>(field, names::BallPoleVolume, axis.poleVolumes);
@@ -128,12 +163,27 @@ MedialAxis readMedialAxis(vtkPolyData* input)
   return result;
 }
 
-void checkSameBalls(const MedialAxis& axis, const PolarBalls& balls)
+bool isMadeFrom(vtkPolyData* axis, vtkUnstructuredGrid* balls)
 {
-  if (axis.ballOwner.size() != balls.balls.size())
+  return sameNumbers(axis->GetFieldData()->GetArray(names::BallVolume),
+           balls->GetPointData()->GetArray(names::Volume)) &&
+    pointsAreCenters(axis, balls);
+}
+
+void checkSameBalls(vtkPolyData* axis, vtkUnstructuredGrid* balls)
+{
+  constexpr const char* remedy =
+    "take the axis that vtkMedialAxis or vtkMedialPrune made from these";
+  const vtkIdType axisBalls =
+    axis->GetFieldData()->GetArray(names::BallVolume)->GetNumberOfTuples();
+  if (axisBalls != balls->GetNumberOfPoints())
   {
-    throw InvalidInput("the axis was made from ", axis.ballOwner.size(), " balls, but there are ",
-      balls.balls.size(), ": take the axis that vtkMedialAxis or vtkMedialPrune made from these");
+    throw InvalidInput("the axis was made from ", axisBalls, " balls, but there are ",
+      balls->GetNumberOfPoints(), ": ", remedy);
+  }
+  if (!isMadeFrom(axis, balls))
+  {
+    throw InvalidInput("the axis was made from other balls than these: ", remedy);
   }
 }
 }

@@ -3,7 +3,6 @@
 #define Conversion_Axis_h
 
 #include "Axis/MedialAxis.h"
-#include "Balls/PolarBalls.h"
 
 #include <vector>
 
@@ -18,15 +17,19 @@ constexpr const char* TakeMedialAxis =
   "take the output of vtkMedialAxis or a later filter as it is (files of an earlier version lack "
   "arrays: make them again)";
 
-/// @param balls  what the axis is made from; its field data is passed on
+/// @param balls  what the axis is made from; see passFieldData
 void write(const MedialAxis& axis, vtkUnstructuredGrid* balls, vtkPolyData* output);
 MedialAxis readMedialAxis(vtkPolyData* input);
 
 /// Adds the field data that changes with the cells of the axis.
 void addTopology(vtkFieldData* field, const MedialAxis& axis);
 
+/// Was the axis made from these balls? Then it has a copy of their volumes, and its points are centres
+/// of balls.
+bool isMadeFrom(vtkPolyData* axis, vtkUnstructuredGrid* balls);
+
 /// @throw InvalidInput  `axis` was made from other balls
-void checkSameBalls(const MedialAxis& axis, const PolarBalls& balls);
+void checkSameBalls(vtkPolyData* axis, vtkUnstructuredGrid* balls);
 }
 
 #endif

@@ -154,4 +154,14 @@ PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
   result.cells = readTetrahedra(input, ballCount);
   return result;
 }
+
+void passFieldData(vtkUnstructuredGrid* balls, vtkFieldData* output)
+{
+  output->PassData(balls->GetFieldData());
+  for (const char* list : { names::Samples, names::SampleInnerBall, names::SampleOuterBall,
+         names::BallSampleOffsets, names::BallSamples })
+  {
+    output->RemoveArray(list);
+  }
+}
 }

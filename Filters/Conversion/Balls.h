@@ -6,6 +6,7 @@
 
 #include <vector>
 
+class vtkFieldData;
 class vtkPointSet;
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -28,6 +29,10 @@ void write(const PolarBallsAndSamples& made, const Betti& powerShape, vtkPointSe
 
 /// @throw InvalidInput  an array is missing or does not fit
 PolarBalls readPolarBalls(vtkUnstructuredGrid* input);
+
+/// Passes the field data of the balls on to an output made from them, but not the lists of samples and
+/// balls: they are long, and what reads them reads the balls too.
+void passFieldData(vtkUnstructuredGrid* balls, vtkFieldData* output);
 }
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "Conversion/ArrayNames.h"
 #include "Conversion/Arrays.h"
+#include "Conversion/Balls.h"
 #include "Conversion/Cells.h"
 
 #include "vtkCellData.h"
@@ -28,7 +29,7 @@ void write(const Crust& crust, const std::vector<Index>& partOfBall, vtkUnstruct
   add<vtkIdTypeArray>(cells, names::PartId, crust.innerBall,
     [&](Index ball) { return partOfBall.empty() ? None : partOfBall[ball]; });
   vtkFieldData* field = output->GetFieldData();
-  field->PassData(balls->GetFieldData());
+  passFieldData(balls, field);
   addBetti(field, names::BettiCrust, crust.betti);
   addOne<vtkUnsignedCharArray>(field, names::Closed, crust.closed);
   addOne<vtkUnsignedCharArray>(field, names::Manifold, crust.manifold);

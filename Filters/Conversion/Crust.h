@@ -12,7 +12,7 @@ class vtkUnstructuredGrid;
 namespace medial
 {
 /// @param partOfBall  empty: no ball has a part
-/// @param balls       what the crust is made from; its field data is passed on
+/// @param balls       what the crust is made from; see passFieldData
 void write(const Crust& crust, const std::vector<Index>& partOfBall, vtkUnstructuredGrid* balls,
   vtkPolyData* output);
 }

@@ -232,6 +232,19 @@ std::vector<std::string> measureArrays()
   return result;
 }
 
+std::vector<std::string> passedOn(vtkDataObject* balls)
+{
+  vtkNew<vtkFieldData> rest;
+  rest->ShallowCopy(balls->GetFieldData());
+  for (const char* list :
+    { "BallSampleOffsets", "BallSamples", "SampleInnerBall", "SampleOuterBall", "Samples" })
+  {
+    EXPECT_TRUE(rest->HasArray(list)) << list;
+    rest->RemoveArray(list);
+  }
+  return arrays(rest);
+}
+
 AssertionResult same(vtkDataObject* a, vtkDataObject* b)
 {
   if (std::string(a->GetClassName()) != b->GetClassName())

@@ -71,6 +71,9 @@ std::vector<std::string> arrays(vtkFieldData* data);
 /// The same for the cell arrays with the measures of parts, from vtkMedialPrune's table of measures.
 std::vector<std::string> measureArrays();
 
+/// The arrays of the field data of balls that the stages after them pass on: all but the lists.
+std::vector<std::string> passedOn(vtkDataObject* balls);
+
 /// Do the two hold the same cells, points and arrays, to the last bit?
 testing::AssertionResult same(vtkDataObject* a, vtkDataObject* b);
 

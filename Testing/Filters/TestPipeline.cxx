@@ -142,6 +142,34 @@ TEST(Pipeline, RefusesTheAxisOfAnotherBlock)
   EXPECT_NE(filterTest::onlyError(sphere.crust).find("no block of the axis"), std::string::npos);
 }
 
+TEST(Pipeline, TellsBlocksApartThatDifferByTheirPlaceOnly)
+{
+  std::vector<medial::Point> moved = smallBox().samples;
+  for (medial::Point& sample : moved)
+  {
+    sample += medial::Point(4, 0, 0);
+  }
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, cloud(moved));
+  blocks->SetBlock(1, cloud(smallBox().samples));
+  Pipeline pipeline(blocks);
+  pipeline.crust->Update();
+  auto* axes = vtkMultiBlockDataSet::SafeDownCast(pipeline.prune->GetOutputDataObject(0));
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(pipeline.crust->GetOutputDataObject(0));
+  ASSERT_TRUE(output);
+  EXPECT_TRUE(same(output->GetBlock(1), filterTest::boxPipeline().crust->GetOutput()));
+  Pipeline first(cloud(moved));
+  first.balls->Update();
+  vtkNew<vtkMultiBlockDataSet> others;
+  others->SetBlock(0, axes->GetBlock(1));
+  first.crust->SetAxisData(others);
+  EXPECT_NE(filterTest::onlyError(first.crust).find("no block of the axis"), std::string::npos);
+  others->SetBlock(1, axes->GetBlock(0));
+  first.crust->SetAxisData(others);
+  first.crust->Update();
+  EXPECT_TRUE(same(first.crust->GetOutput(), output->GetBlock(0)));
+}
+
 TEST(Pipeline, SharesOutAllObjectsWithoutRanks)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;

@@ -8,6 +8,7 @@
 #include <vtkFieldData.h>
 #include <vtkMassProperties.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
@@ -45,7 +46,7 @@ TEST(PowerCrust, HasTheArraysOfItsHeader)
   EXPECT_EQ(arrays(crust->GetPointData()), (std::vector<std::string>{ "SampleId idtype 1" }));
   EXPECT_EQ(arrays(crust->GetCellData()),
     (std::vector<std::string>{ "InnerBall idtype 1", "OuterBall idtype 1", "PartId idtype 1" }));
-  std::vector<std::string> expected = arrays(boxPipeline().balls->GetOutput()->GetFieldData());
+  std::vector<std::string> expected = filterTest::passedOn(boxPipeline().balls->GetOutput());
   for (const char* array : { "BettiCrust idtype 3", "Closed unsigned char 1",
          "InsertedBalls idtype 1", "Manifold unsigned char 1", "MaximumClearance double 1",
          "RefusedBalls idtype 1", "Rounds idtype 1", "Volume double 1" })
@@ -161,6 +162,44 @@ TEST(PowerCrust, RefusesTheAxisOfOtherBalls)
   const std::string error = onlyError(filter);
   EXPECT_NE(error.find("the axis was made from "), std::string::npos) << error;
   EXPECT_NE(error.find("vtkMedialPrune made from these"), std::string::npos) << error;
+}
+
+TEST(PowerCrust, RefusesTheAxisOfAsManyOtherBalls)
+{
+  std::vector<Point> moved = smallBox().samples;
+  for (Point& sample : moved)
+  {
+    sample += Point(1, 2, 4);
+  }
+  const std::vector<Point> larger = shapes::scaled(smallBox().samples, 2);
+  for (const std::vector<Point>& samples : { larger, moved })
+  {
+    filterTest::Pipeline other(filterTest::cloud(samples));
+    other.prune->Update();
+    ASSERT_EQ(other.balls->GetOutput()->GetNumberOfPoints(),
+      boxPipeline().balls->GetOutput()->GetNumberOfPoints());
+    vtkSmartPointer<vtkPowerCrust> filter = boxCrust();
+    filter->SetAxisData(other.prune->GetOutput());
+    const std::string error = onlyError(filter);
+    EXPECT_NE(error.find("the axis was made from other balls than these"), std::string::npos)
+      << error;
+    EXPECT_NE(error.find("vtkMedialPrune made from these"), std::string::npos) << error;
+  }
+}
+
+TEST(PowerCrust, RefusesAnAxisAtAnotherPlace)
+{
+  const auto axis = filterTest::copy<vtkPolyData>(boxPipeline().axis->GetOutputDataObject(0));
+  vtkDataArray* coordinates = axis->GetPoints()->GetData();
+  for (vtkIdType i = 0; i < axis->GetNumberOfPoints(); ++i)
+  {
+    coordinates->SetComponent(i, 2, coordinates->GetComponent(i, 2) + 1);
+  }
+  vtkSmartPointer<vtkPowerCrust> filter = boxCrust();
+  filter->SetAxisData(axis);
+  const std::string error = onlyError(filter);
+  EXPECT_NE(error.find("the axis was made from other balls than these"), std::string::npos)
+    << error;
 }
 
 TEST(PowerCrust, RefusesAnAxisWithoutCells)
