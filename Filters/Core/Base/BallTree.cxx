@@ -19,6 +19,11 @@ double boundingDiagonal(const std::vector<Ball>& balls)
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
+BallTree::BallTree(const std::vector<Ball>& balls)
+  : BallTree(balls, std::vector<Index>(balls.size(), 0))
+{
+}
+
 BallTree::BallTree(const std::vector<Ball>& balls, const std::vector<Index>& groups)
 {
   for (Index i = 0; i < count(balls); ++i)
@@ -42,7 +47,7 @@ void BallTree::build(Index begin, Index end)
     node.lower = node.lower.cwiseMin(member.ball.center);
     node.upper = node.upper.cwiseMax(member.ball.center);
     node.radius = std::max(node.radius, member.ball.radius);
-    node.group = node.group == member.group ? node.group : None;
+    node.group = node.group == member.group ? node.group : Mixed;
   }
   const Index number = count(this->nodes);
   this->nodes.push_back(node);
@@ -63,14 +68,40 @@ void BallTree::build(Index begin, Index end)
   this->build(middle, end);
 }
 
-double BallTree::leastProtrusion(const Node& node, const Ball& ball)
+// At most what the loop in `least` computes for any ball of the node, in spite of rounding: a search
+// that skips a node never misses a smaller value.
+//
+// Let v be the vector from the node's box to the query's centre and w the one from a member's centre.
+// - No coordinate of w is smaller in size than that of v, as computed: both are rounded differences,
+//   the exact one of w isn't smaller in size, and rounding is monotone.
+// - A computed norm has a relative error below 4 u, u = epsilon / 2: less than 3 u for the sum of
+//   squares, half of which is left by the root, and u for the root itself. So norm(w) is at least
+//   norm(v) (1 - 4 u) / (1 + 4 u), which is more than norm(v) (1 - 8 epsilon) is after its rounding.
+// - Squares that underflow add an absolute error, below `underflow`.
+// - Adding one radius and subtracting another is monotone too, and node.radius is the largest.
+double BallTree::lowerBound(const Node& node, const Ball& ball)
 {
+  constexpr double shrink = 1 - 8 * std::numeric_limits<double>::epsilon();
+  constexpr double underflow = 1e-150;
   const Point outside =
     (node.lower - ball.center).cwiseMax(ball.center - node.upper).cwiseMax(Point::Zero());
-  return outside.norm() + ball.radius - node.radius;
+  const double distance = std::max(0.0, outside.norm() * shrink - underflow);
+  return distance + ball.radius - node.radius;
+}
+
+double BallTree::distance(const Point& x, double enough) const
+{
+  return this->least({ x, 0 }, Nothing, enough);
 }
 
 double BallTree::protrusion(const Ball& ball, Index group, double enough) const
+{
+  return std::max(0.0, this->least(ball, group, enough));
+}
+
+// Depth first, the nearer child first; a node is skipped where its lower bound can't improve on the
+// least value found so far.
+double BallTree::least(const Ball& ball, Index leftOut, double enough) const
 {
   struct Step
   {
@@ -81,9 +112,9 @@ double BallTree::protrusion(const Ball& ball, Index group, double enough) const
   std::vector<Step> todo;
   const auto add = [&](Index number) {
     const Node& node = this->nodes[number];
-    if (node.group != group)
+    if (node.group != leftOut)
     {
-      todo.push_back({ number, leastProtrusion(node, ball) });
+      todo.push_back({ number, lowerBound(node, ball) });
     }
   };
   if (!this->nodes.empty())
@@ -113,13 +144,13 @@ double BallTree::protrusion(const Ball& ball, Index group, double enough) const
     for (Index i = node.begin; i < node.end; ++i)
     {
       const Member& other = this->members[i];
-      if (other.group != group)
+      if (other.group != leftOut)
       {
         least = std::min(
           least, (other.ball.center - ball.center).norm() + ball.radius - other.ball.radius);
       }
     }
   }
-  return std::max(0.0, least);
+  return least;
 }
 }
