@@ -10,21 +10,22 @@
  * balls, or a collection of axes, of which one was. Then the inner balls on its cells, and the balls
  * they own, are kept. Without it all inner balls are.
  *
- * Output: vtkPolyData, polygons, oriented outwards: counter-clockwise seen from outside.
+ * Output: vtkPolyData, triangles, oriented outwards: their points are counter-clockwise seen from
+ * outside.
  *
  * Point data
  *  - `SampleId` (vtkIdType): the sample that the point is, or -1.
  *
  * Cell data
- *  - `InnerBall` (vtkIdType): the ball behind the face, a point of input 0.
- *  - `OuterBall` (vtkIdType): the ball before it; -1 for a ball that the rule has added.
+ *  - `InnerBall` (vtkIdType): the ball behind the triangle, a point of input 0.
+ *  - `OuterBall` (vtkIdType): the ball in front of it; -1 for a ball that the rule has added.
  *  - `PartId` (vtkIdType): the part of the axis that the inner ball counts for; -1 without input 1 or
  *    where that has no array `PartId`.
  *
  * Field data, single values
  *  - `BettiCrust` (vtkIdType, 3 components): pieces, tunnels and voids of the enclosed solid.
- *  - `Closed` (unsigned char): 1 where every edge lies between two faces, in opposite directions.
- *  - `Manifold` (unsigned char): 1 where moreover the faces at every point form one fan.
+ *  - `Closed` (unsigned char): 1 where every edge lies between two triangles, in opposite directions.
+ *  - `Manifold` (unsigned char): 1 where moreover the triangles at every point form one fan.
  *  - `Volume` (double): enclosed, cube of the samples' unit.
  *  - `InsertedBalls`, `RefusedBalls`, `Rounds` (vtkIdType): outer balls that the rule has added, those
  *    it has not because the topology would have changed, and the rounds made.

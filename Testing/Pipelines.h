@@ -294,10 +294,21 @@ inline std::string bytesOf(const medial::Pruned& p)
   return bytes.text;
 }
 
+/// The triangles of a crust as the validators take faces.
+inline medial::IndexLists facesOf(const medial::Crust& crust)
+{
+  medial::IndexLists faces;
+  for (const medial::Triangle& triangle : crust.triangles)
+  {
+    faces.append(triangle);
+  }
+  return faces;
+}
+
 inline std::string bytesOf(const medial::Crust& c)
 {
   Bytes bytes;
-  bytes.add(c.points).add(c.sampleOfPoint).add(c.faces).add(c.innerBall).add(c.outerBall);
+  bytes.add(c.points).add(c.sampleOfPoint).add(c.triangles).add(c.innerBall).add(c.outerBall);
   bytes.add(c.betti).add(c.closed).add(c.manifold).add(c.volume);
   bytes.add(c.insertedBalls).add(c.refusedBalls);
   return bytes.add(c.rounds).add(c.maximumClearance).text;

@@ -21,7 +21,7 @@ void write(const Crust& crust, const std::vector<Index>& partOfBall, vtkUnstruct
   vtkPolyData* output)
 {
   output->SetPoints(points(crust.points));
-  output->SetPolys(cellArray(crust.faces));
+  output->SetPolys(cellArray(crust.triangles));
   add<vtkIdTypeArray>(output->GetPointData(), names::SampleId, crust.sampleOfPoint);
   vtkCellData* cells = output->GetCellData();
   add<vtkIdTypeArray>(cells, names::InnerBall, crust.innerBall);

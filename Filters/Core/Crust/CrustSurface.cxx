@@ -2,11 +2,8 @@
 #include "Crust/CrustSurface.h"
 
 #include "Base/DisjointSets.h"
-#include "Base/Errors.h"
 #include "Base/Frame.h"
-#include "Base/Lists.h"
 #include "Base/Polygons.h"
-#include "Base/Predicates.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -15,14 +12,8 @@ namespace medial
 {
 namespace
 {
-bool isMixed(const PowerDiagram& diagram, const Tetrahedron& cell)
-{
-  const int inner = diagram.inner[cell[0]] + diagram.inner[cell[1]] + diagram.inner[cell[2]] +
-    diagram.inner[cell[3]];
-  return inner > 0 && inner < 4;
-}
-
-/// The faces of the crust as cycles of cells of the dual, each a power vertex.
+/// The faces between inner and outer power cells. A power vertex is named by its tetrahedron of the
+/// dual, so a face is the cycle of tetrahedra around its dual edge.
 struct CellFaces
 {
   std::vector<std::vector<Index>> cycles; ///< counter-clockwise seen from outside
@@ -43,6 +34,7 @@ std::vector<Index> cycleAround(const Tetrahedra& mesh, Index inner, Index outer,
   return cellsAround(mesh, { inner, outer }, start, place(corners, leave));
 }
 
+/// One face for each dual edge between an inner and an outer ball.
 CellFaces cellFaces(const PowerDiagram& diagram)
 {
   CellFaces result;
@@ -70,14 +62,25 @@ CellFaces cellFaces(const PowerDiagram& diagram)
   return result;
 }
 
-/// Sets of neighbouring power vertices that are to become one vertex.
+/// Sets of neighbouring power vertices that become one point of the crust.
+///
+/// All polar balls through a sample meet in it, so very many power vertices are at a sample, joined by
+/// edges of length zero and faces without area. They are contracted: a set whose vertices, edges and
+/// faces form a disc can shrink to a point without changing the surface's topology. A ring of
+/// vertices around a handle, say, can't; such a set is split into its vertices again, and they stay
+/// several points at one place. So the exact arithmetic of the regular triangulation decides the
+/// topology, and contraction never changes it.
+///
+/// Invariant: the surface is a closed 2-manifold with the topology of the diagram's.
+/// The steps take linear time on average each. `splitWherePinched` repeats, since a split set can
+/// pinch its neighbours; each turn splits one set at least, and two or three turns are usual.
 class Contraction
 {
 public:
-  Contraction(const PowerDiagram& power, const CellFaces& cellFaces)
-    : diagram(power)
+  Contraction(const PowerDiagram& powerDiagram, const CellFaces& cellFaces)
+    : diagram(powerDiagram)
     , faces(cellFaces)
-    , sets(count(power.dual.cells))
+    , sets(count(powerDiagram.dual.cells))
   {
     this->unite();
     this->splitUnlessDiscs();
@@ -86,14 +89,15 @@ public:
     }
   }
 
-  /// The vertex of a cell: its set's lowest cell, or itself where the set was split.
+  /// The vertex of a tetrahedron: the lowest one of its set, or itself where the set was split.
   Index vertexOf(Index cell)
   {
     const Index set = this->sets.find(cell);
     return this->split[set] ? cell : set;
   }
 
-  /// A face's vertices without those that fall together; fewer than 3 where the face vanishes.
+  /// The vertices of a face, neighbours that become one named once. Fewer than 3 where the face
+  /// shrinks to an edge or a point.
   std::vector<Index> corners(Index face)
   {
     std::vector<Index> result;
@@ -113,6 +117,8 @@ public:
   }
 
 private:
+  /// Are two power vertices the same? Samples are compared by their numbers; only where one of the
+  /// two is no sample its place decides.
   bool fallTogether(Index a, Index b) const
   {
     const Index s = this->diagram.sampleOfVertex[a], t = this->diagram.sampleOfVertex[b];
@@ -121,6 +127,8 @@ private:
       : (this->diagram.vertices[a] - this->diagram.vertices[b]).norm() < coincident;
   }
 
+  /// Unites vertices along edges of the surface only: vertices at the same place that no such edge
+  /// joins belong to different sheets of it.
   void unite()
   {
     for (const std::vector<Index>& cycle : this->faces.cycles)
@@ -137,7 +145,8 @@ private:
     this->split.assign(this->diagram.dual.cells.size(), 0);
   }
 
-  /// Splits sets whose vertices, edges and faces don't make a disc (V - E + F = 1).
+  /// Splits sets whose vertices, edges and faces don't form a disc. A connected piece of a surface that
+  /// isn't closed is a disc if and only if vertices - edges + faces is 1.
   void splitUnlessDiscs()
   {
     std::vector<Index> euler(this->split.size(), 0); // doubled: each edge is met twice
@@ -162,7 +171,8 @@ private:
     }
   }
 
-  /// Splits sets at which a face has a corner twice, or two vertices have more than one edge.
+  /// Splits sets at which a face has a corner twice, or between which there are several edges: discs
+  /// that leave a manifold, but not one that can be given by its triangles' corners.
   /// @return  was any split?
   bool splitWherePinched()
   {
@@ -204,17 +214,18 @@ private:
   std::vector<char> split; ///< by set
 };
 
-/// Faces with their vertices numbered, and the points of the crust.
+/// The contracted faces by their points.
 struct Polygons
 {
   std::vector<std::vector<Index>> corners;
-  std::vector<Edge> balls;
+  std::vector<Edge> balls; ///< inner, outer
 };
 
-Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, Crust& crust)
+/// For each vertex of the contraction the tetrahedron whose place it takes: one whose power vertex is
+/// a sample, if its set has one, since samples are exact.
+std::vector<Index> placeOfVertex(
+  const PowerDiagram& diagram, const CellFaces& faces, Contraction& contraction)
 {
-  Contraction contraction(diagram, faces);
-  // A set takes the sample if one of its cells has one.
   std::vector<Index> best(diagram.dual.cells.size(), None);
   for (const std::vector<Index>& cycle : faces.cycles)
   {
@@ -226,6 +237,15 @@ Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, Crust& cr
       chosen = better ? cell : chosen;
     }
   }
+  return best;
+}
+
+/// Contracts the faces, numbers their vertices in the order in which they are met, and puts them into
+/// the surface.
+Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, CrustSurface& surface)
+{
+  Contraction contraction(diagram, faces);
+  const std::vector<Index> place = placeOfVertex(diagram, faces, contraction);
   Polygons result;
   std::vector<Index> number(diagram.dual.cells.size(), None);
   for (Index face = 0; face < count(faces.cycles); ++face)
@@ -239,9 +259,9 @@ Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, Crust& cr
     {
       if (number[vertex] == None)
       {
-        number[vertex] = count(crust.points);
-        crust.points.push_back(diagram.vertices[best[vertex]]);
-        crust.sampleOfPoint.push_back(diagram.sampleOfVertex[best[vertex]]);
+        number[vertex] = count(surface.points);
+        surface.points.push_back(diagram.vertices[place[vertex]]);
+        surface.sampleOfPoint.push_back(diagram.sampleOfVertex[place[vertex]]);
       }
       vertex = number[vertex];
     }
@@ -252,39 +272,11 @@ Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, Crust& cr
 }
 }
 
-void findVertices(Tetrahedra dual, PowerDiagram& diagram, const Execution& execution)
+CrustSurface crustSurface(const PowerDiagram& diagram)
 {
-  diagram.dual = std::move(dual);
-  const Index cellCount = count(diagram.dual.cells);
-  diagram.sampleOfVertex.assign(cellCount, None);
-  diagram.vertices.assign(cellCount, Point::Zero());
-  execution.forEach(cellCount, [&](Index c) {
-    const Tetrahedron& cell = diagram.dual.cells[c];
-    if (!isMixed(diagram, cell))
-    {
-      return;
-    }
-    const Index sample = lowestCommonItem(diagram.samples, cell);
-    diagram.sampleOfVertex[c] = sample;
-    diagram.vertices[c] = sample != None
-      ? diagram.positions[sample]
-      : powerCenter({ diagram.balls[cell[0]], diagram.balls[cell[1]], diagram.balls[cell[2]],
-                      diagram.balls[cell[3]] },
-          constructionError);
-  });
-  const auto isFinite = [](const Point& p) { return p.allFinite(); };
-  if (!std::all_of(diagram.vertices.begin(), diagram.vertices.end(), isFinite))
-  {
-    throw InvalidInput(
-      "the coordinates of the balls are too coarse, a tetrahedron of them is flat: "
-      "move the samples nearer to the origin before Polar Balls");
-  }
-}
-
-Crust crustSurface(const PowerDiagram& diagram)
-{
-  Crust crust{};
-  const Polygons faces = polygons(diagram, cellFaces(diagram), crust);
+  CrustSurface surface;
+  const Polygons faces = polygons(diagram, cellFaces(diagram), surface);
+  // All sides first: no diagonal may be the side of another polygon.
   EdgeSet edges;
   for (const std::vector<Index>& corners : faces.corners)
   {
@@ -295,15 +287,15 @@ Crust crustSurface(const PowerDiagram& diagram)
   }
   for (std::size_t face = 0; face < faces.corners.size(); ++face)
   {
-    for (const Triangle& t : triangulate(faces.corners[face], crust.points, edges))
+    for (const Triangle& t : triangulate(faces.corners[face], surface.points, edges))
     {
-      crust.faces.items.insert(crust.faces.items.end(), t.begin(), t.end());
-      crust.faces.close();
-      crust.innerBall.push_back(faces.balls[face][0]);
-      crust.outerBall.push_back(faces.balls[face][1]);
+      surface.triangles.push_back(t);
+      surface.innerBall.push_back(faces.balls[face][0]);
+      surface.outerBall.push_back(faces.balls[face][1]);
     }
   }
-  crust.sampleOfPoint.resize(crust.points.size(), None);
-  return crust;
+  // Points that triangulation has added are no samples.
+  surface.sampleOfPoint.resize(surface.points.size(), None);
+  return surface;
 }
 }

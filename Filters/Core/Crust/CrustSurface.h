@@ -2,41 +2,35 @@
 #ifndef medial_CrustSurface_h
 #define medial_CrustSurface_h
 
-#include "Base/Execution.h"
-#include "Base/Lists.h"
-#include "Base/Tetrahedra.h"
 #include "Base/Types.h"
-#include "Crust/PowerCrust.h"
+#include "Crust/PowerDiagram.h"
 
 #include <vector>
 
 namespace medial
 {
-/// The power diagram of inner and outer balls by its dual, geometry in a frame.
-struct PowerDiagram
+/// The triangulated surface between the inner and the outer cells of a power diagram.
+struct CrustSurface
 {
-  std::vector<Ball> balls;
-  std::vector<char> inner;
-  IndexLists samples;           ///< of each ball
-  std::vector<Point> positions; ///< of the samples
-  Tetrahedra dual;
+  // One entry for each point.
+  std::vector<Point> points;
+  std::vector<Index> sampleOfPoint; ///< the sample that the point is, or None
 
-  // One entry for each cell of the dual whose corners are on both sides (others: None, zero).
-  std::vector<Index> sampleOfVertex; ///< the power vertex is this sample, or None
-  std::vector<Point> vertices;
+  // One entry for each triangle.
+  std::vector<Triangle> triangles; ///< points, counter-clockwise seen from outside
+  std::vector<Index> innerBall;    ///< the ball behind the triangle
+  std::vector<Index> outerBall;    ///< the ball in front of it
 };
 
-/// Fills dual, sampleOfVertex and vertices: a power vertex is the sample that its four balls share;
-/// only where they share none it is computed.
-/// @throw InvalidInput  a cell is flat
-void findVertices(Tetrahedra dual, PowerDiagram& diagram, const Execution& execution = {});
-
-/// Triangles between inner and outer power cells, oriented outwards, in the diagram's frame.
+/// The faces between inner and outer power cells, contracted and cut into triangles, in the diagram's
+/// frame and with its numbers of the balls. Takes linear time on average (hash tables).
 ///
-/// A closed 2-manifold by construction: the power diagram is simple, so its faces between two sides
-/// are one. Vertices at the same sample, or the same to rounding, become one where their contraction
-/// leaves it a manifold without repeated corners, and stay several where it doesn't.
-Crust crustSurface(const PowerDiagram& diagram);
+/// A closed 2-manifold by construction. The power diagram is simple: three cells meet at an edge and
+/// four at a vertex. So of the faces at an edge none or two lie between the two sides, and those at a
+/// vertex form one fan. Contraction and triangulation keep that. Power vertices that are the same
+/// sample, or the same up to rounding, become one point if the surface is a manifold after that;
+/// otherwise they stay several points at one place.
+CrustSurface crustSurface(const PowerDiagram& diagram);
 }
 
 #endif

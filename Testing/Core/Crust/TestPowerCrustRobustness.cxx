@@ -13,6 +13,7 @@ using medial::CrustOptions;
 using medial::Index;
 using medial::Point;
 using medial::Side;
+using pipelines::facesOf;
 using pipelines::keepBelow;
 using pipelines::Pipeline;
 
@@ -48,7 +49,7 @@ TEST(PowerCrust, MovesWithTheSamples)
     const Crust reference = crustOf(shape.samples);
     const auto expectLike = [&](const Crust& crust, const std::vector<Point>& back, double unit) {
       EXPECT_EQ(crust.betti, reference.betti);
-      EXPECT_TRUE(validators::isTwoManifold(crust.faces));
+      EXPECT_TRUE(validators::isTwoManifold(facesOf(crust)));
       EXPECT_LT(validators::hausdorffDistance(back, reference.points), 2 * shape.spacing);
       EXPECT_LT(validators::hausdorffDistance(reference.points, back), 2 * shape.spacing);
       EXPECT_NEAR(crust.volume / std::pow(unit, 3) / reference.volume, 1, 0.01);
@@ -73,9 +74,9 @@ TEST(PowerCrust, DependsOnTheOrderOfSamplesInItsNumbersOnly)
   const Crust crust = crustOf(shapes::reordered(samples, order));
   const auto polygons = [](const Crust& c) {
     validators::Polygons result{ c.points, {} };
-    for (Index f = 0; f < c.faces.size(); ++f)
+    for (Index f = 0; f < medial::count(c.triangles); ++f)
     {
-      result.polygons.emplace_back(c.faces[f].begin(), c.faces[f].end());
+      result.polygons.emplace_back(c.triangles[f].begin(), c.triangles[f].end());
     }
     return result;
   };
@@ -116,8 +117,8 @@ TEST(PowerCrust, OfNoSurfaceAtAllIsStillClosed)
     }
     const Crust crust = medial::powerCrust(all);
     EXPECT_EQ(
-      crust.closed, validators::isClosed(crust.faces) && validators::isOriented(crust.faces));
-    EXPECT_EQ(crust.manifold, validators::isTwoManifold(crust.faces));
+      crust.closed, validators::isClosed(facesOf(crust)) && validators::isOriented(facesOf(crust)));
+    EXPECT_EQ(crust.manifold, validators::isTwoManifold(facesOf(crust)));
     EXPECT_TRUE(std::all_of(crust.points.begin(), crust.points.end(),
       [](const Point& point) { return point.allFinite(); }));
   }

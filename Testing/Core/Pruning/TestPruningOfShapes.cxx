@@ -27,18 +27,14 @@ namespace
 double shareOfArea(const shapes::Shape& shape, const medial::Crust& crust, double from, double to)
 {
   double all = 0, between = 0;
-  for (Index f = 0; f < crust.faces.size(); ++f)
+  for (Index f = 0; f < medial::count(crust.triangles); ++f)
   {
-    const auto face = crust.faces[f];
-    const Point& a = crust.points[*face.begin()];
-    for (auto c = face.begin() + 2; c < face.end(); ++c)
-    {
-      const Point &b = crust.points[*(c - 1)], &d = crust.points[*c];
-      const double area = (b - a).cross(d - a).norm();
-      all += area;
-      const double outside = shape.outside((a + b + d) / 3) / shape.spacing;
-      between += outside > from && outside <= to ? area : 0;
-    }
+    const auto corner = [&](int k) -> const Point& { return crust.points[crust.triangles[f][k]]; };
+    const Point &a = corner(0), &b = corner(1), &c = corner(2);
+    const double area = (b - a).cross(c - a).norm();
+    all += area;
+    const double outside = shape.outside((a + b + c) / 3) / shape.spacing;
+    between += outside > from && outside <= to ? area : 0;
   }
   return between / all;
 }

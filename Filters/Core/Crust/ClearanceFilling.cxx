@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Crust/ClearanceFilling.h"
+
+#include "Balls/PowerShape.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace medial
+{
+UntouchedCells::UntouchedCells(std::vector<Tetrahedron> before, const std::vector<Index>& ballIds)
+  : cells(std::move(before))
+  , ids(ballIds)
+{
+  for (Tetrahedron& cell : this->cells)
+  {
+    std::sort(cell.begin(), cell.end());
+  }
+  std::sort(this->cells.begin(), this->cells.end());
+}
+
+bool UntouchedCells::contains(Tetrahedron cell) const
+{
+  for (Index& ball : cell)
+  {
+    if (ball >= count(this->ids))
+    {
+      return false; // the ball was added by the filling
+    }
+    ball = this->ids[ball];
+  }
+  std::sort(cell.begin(), cell.end());
+  return std::binary_search(this->cells.begin(), this->cells.end(), cell);
+}
+
+namespace
+{
+/// The distance of each power vertex on the crust to the union of the inner balls; 0 inside, for a
+/// sample, and for vertices that are not on the crust. A value up to `limit` may be too large, but
+/// not larger than `limit`.
+std::vector<double> clearances(
+  const PowerDiagram& diagram, const BallTree& innerBalls, double limit, const Execution& execution)
+{
+  std::vector<double> result(diagram.dual.cells.size(), 0);
+  execution.forEach(count(result), [&](Index c) {
+    const Tetrahedron& cell = diagram.dual.cells[c];
+    if (!isMixed(diagram, cell) || diagram.sampleOfVertex[c] != None)
+    {
+      return;
+    }
+    // Mostly one of the vertex's own balls is near enough, and no search is needed.
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index b : cell)
+    {
+      if (diagram.inner[b])
+      {
+        const Ball& ball = diagram.balls[b];
+        least = std::min(least, (diagram.vertices[c] - ball.center).norm() - ball.radius);
+      }
+    }
+    least = least > limit ? innerBalls.distance(diagram.vertices[c], limit) : least;
+    result[c] = std::max(0.0, least);
+  });
+  return result;
+}
+
+/// Balls about the vertices with a clearance above `limit`, with the clearance as their radius.
+/// Largest first; none is centred in another one, so that few balls fill much.
+std::vector<Ball> fillingBalls(
+  const PowerDiagram& diagram, const std::vector<double>& clearances, double limit)
+{
+  std::vector<Index> order;
+  for (Index c = 0; c < count(clearances); ++c)
+  {
+    if (clearances[c] > limit)
+    {
+      order.push_back(c);
+    }
+  }
+  std::stable_sort(
+    order.begin(), order.end(), [&](Index a, Index b) { return clearances[a] > clearances[b]; });
+  constexpr std::size_t roundLimit = 5000; // each is compared with all of its round
+  std::vector<Ball> result;
+  for (const Index c : order)
+  {
+    if (result.size() == roundLimit)
+    {
+      break;
+    }
+    const Point& center = diagram.vertices[c];
+    if (std::none_of(result.begin(), result.end(),
+          [&](const Ball& ball) { return (center - ball.center).norm() < ball.radius; }))
+    {
+      result.push_back({ center, clearances[c] });
+    }
+  }
+  return result;
+}
+
+class ClearanceFilling
+{
+public:
+  ClearanceFilling(const FillingGoal& fillingGoal, RegularTriangulation& regularTriangulation,
+    PowerDiagram& powerDiagram, const Execution& ofRounds)
+    : goal(fillingGoal)
+    , triangulation(regularTriangulation)
+    , diagram(powerDiagram)
+    , execution(ofRounds)
+    , defect(
+        bettiDistance(markedBetti(powerDiagram.dual, powerDiagram.inner), fillingGoal.topology))
+  {
+  }
+
+  Filling fill(const UntouchedCells& untouched, const BallTree& innerBalls)
+  {
+    for (bool changed = true; changed && this->filling.rounds < this->goal.maximumRounds;)
+    {
+      const std::vector<Ball> balls = this->missingBalls(untouched, innerBalls);
+      this->filling.refused = 0;
+      const Index before = this->filling.inserted;
+      this->insert(balls);
+      changed = this->filling.inserted > before;
+      if (changed)
+      {
+        findVertices(this->triangulation.tetrahedra(), this->diagram, this->execution);
+        ++this->filling.rounds;
+      }
+    }
+    return this->filling;
+  }
+
+private:
+  std::vector<Ball> missingBalls(const UntouchedCells& untouched, const BallTree& innerBalls) const
+  {
+    const double limit = this->goal.clearance;
+    std::vector<double> distances = clearances(this->diagram, innerBalls, limit, this->execution);
+    for (Index c = 0; c < count(distances); ++c)
+    {
+      // What was as far away before pruning is the surface of the whole solid: a sharp corner of a
+      // box is far from every ball, and is to stay.
+      if (distances[c] > limit && untouched.contains(this->diagram.dual.cells[c]))
+      {
+        distances[c] = 0;
+      }
+    }
+    return fillingBalls(this->diagram, distances, limit);
+  }
+
+  /// Inserts all the balls. Where that brings the topology farther from the one wanted, tries the
+  /// halves of the list, one after the other, and so on down to single balls: few balls do harm, and
+  /// this finds them with few triangulations.
+  void insert(const std::vector<Ball>& balls)
+  {
+    if (balls.empty())
+    {
+      return;
+    }
+    RegularTriangulation trial = this->triangulation.copy();
+    trial.insert(balls, this->execution);
+    std::vector<char> inner = this->diagram.inner;
+    inner.resize(inner.size() + balls.size(), 0);
+    const Index trialDefect =
+      bettiDistance(markedBetti(trial.tetrahedra(), inner), this->goal.topology);
+    if (trialDefect <= this->defect)
+    {
+      this->defect = trialDefect;
+      this->triangulation = std::move(trial);
+      this->diagram.inner = std::move(inner);
+      this->filling.inserted += count(balls);
+      for (const Ball& ball : balls)
+      {
+        this->diagram.balls.push_back(ball);
+        this->diagram.samples.close(); // it has none
+      }
+    }
+    else if (balls.size() == 1)
+    {
+      ++this->filling.refused;
+    }
+    else
+    {
+      const auto middle = balls.begin() + static_cast<std::ptrdiff_t>(balls.size() / 2);
+      this->insert({ balls.begin(), middle });
+      this->insert({ middle, balls.end() });
+    }
+  }
+
+  const FillingGoal& goal;
+  RegularTriangulation& triangulation;
+  PowerDiagram& diagram;
+  const Execution& execution;
+  Index defect; ///< by how much the Betti numbers miss the goal's
+  Filling filling;
+};
+}
+
+Filling fillClearance(const FillingGoal& goal, const UntouchedCells& untouched,
+  const BallTree& innerBalls, RegularTriangulation& triangulation, PowerDiagram& diagram,
+  const Execution& execution)
+{
+  return ClearanceFilling(goal, triangulation, diagram, execution).fill(untouched, innerBalls);
+}
+}
