@@ -96,7 +96,8 @@ def rooms_included():
 
 
 def check_names():
-    arrays = (FILTERS / "Conversion" / "ArrayNames.h").read_text()
+    tables = [FILTERS / "Conversion" / "ArrayNames.h", *CORE.glob("Parts/Measures.cxx")]
+    arrays = "".join(table.read_text() for table in tables)
     for stage in FLOW.values():
         if not (FILTERS / (stage.filter + ".h")).is_file():
             sys.exit(".ci/draw_stages.py names %s, which isn't there" % stage.filter)

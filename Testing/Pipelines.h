@@ -298,10 +298,8 @@ inline std::string bytesOf(const medial::Pruned& p)
 inline medial::IndexLists facesOf(const medial::Crust& crust)
 {
   medial::IndexLists faces;
-  for (const medial::Triangle& triangle : crust.triangles)
-  {
-    faces.append(triangle);
-  }
+  std::for_each(crust.triangles.begin(), crust.triangles.end(),
+    [&faces](const medial::Triangle& triangle) { faces.append(triangle); });
   return faces;
 }
 

@@ -94,11 +94,15 @@ Case randomCase(
   return result;
 }
 
-std::vector<Case> cases()
+Point anywhere(Source& source)
 {
-  const auto anywhere = [](Source& source) { return source.point(2); };
+  return source.point(2);
+}
+
+/// Balls as they come, and in unusual arrangements.
+void addOrdinary(std::vector<Case>& result)
+{
   const auto onGrid = [](Source& source) { return source.gridPoint(4); };
-  std::vector<Case> result;
   for (const int size : { 1, 7, 8, 9, 1000 })
   {
     result.push_back(randomCase(
@@ -132,6 +136,11 @@ std::vector<Case> cases()
       return Ball{ source.gridPoint(3), std::round(source.number(0, 2)) };
     },
     onGrid));
+}
+
+/// Balls for which a bound of the search is tight or its rounding matters.
+void addDegenerate(std::vector<Case>& result)
+{
   result.push_back(randomCase(
     "a plane", 500,
     [](Source& source) {
@@ -165,6 +174,13 @@ std::vector<Case> cases()
       return Ball{ source.point(1e-160), source.number(0, 1e-162) };
     },
     [](Source& source) { return source.point(2e-160); }));
+}
+
+std::vector<Case> cases()
+{
+  std::vector<Case> result;
+  addOrdinary(result);
+  addDegenerate(result);
   return result;
 }
 
