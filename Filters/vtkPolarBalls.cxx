@@ -44,8 +44,8 @@ int vtkPolarBalls::RequestData(
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::PolarBallsAndSamples made =
-        medial::polarBallsAndSamples(medial::readSamples(input), execution.part(0, 0.9));
-      const medial::PowerShape shape = medial::powerShape(made.balls, execution.part(0.9, 1));
+        medial::polarBallsAndSamples(medial::readSamples(input), execution.between(0, 0.9));
+      const medial::PowerShape shape = medial::powerShape(made.balls, execution.between(0.9, 1));
       medial::write(made, shape.betti, input, balls, samples);
     });
 }

@@ -78,7 +78,7 @@ void runStages(const std::vector<Stage>& stages, const Execution& execution)
   double done = 0;
   for (const Stage& stage : stages)
   {
-    runStage(stage.filter, execution.part(done, done + stage.share));
+    runStage(stage.filter, execution.between(done, done + stage.share));
     done += stage.share;
   }
 }

@@ -38,9 +38,9 @@ MedialAxis axisFromSites(
   const PolarBalls& polarBalls, const PowerShape& shape, const Execution& execution)
 {
   const Frame frame = frameOf(polarBalls.samples);
-  const SingularPoints points = singularPoints(polarBalls, shape, execution.part(0, 0.1));
+  const SingularPoints points = singularPoints(polarBalls, shape, execution.between(0, 0.1));
   const SiteTriangulation sites =
-    siteTriangulation(polarBalls, shape, points, frame, execution.part(0.1, 0.7));
+    siteTriangulation(polarBalls, shape, points, frame, execution.between(0.1, 0.7));
   std::optional<MedialAxis> best;
   for (const double kappa : kappas)
   {
@@ -51,7 +51,7 @@ MedialAxis axisFromSites(
     {
       continue;
     }
-    carve(sites, set, execution.part(0.7, 0.9));
+    carve(sites, set, execution.between(0.7, 0.9));
     MedialAxis axis = axisOf(dualComplex(polarBalls, points, sites, set, frame));
     axis.kappa = kappa;
     axis.betti = bettiNumbers(axis.cells);
@@ -166,8 +166,8 @@ MedialAxis medialAxis(
       "no ball is inside the solid: the samples don't enclose one, or there are too "
       "few of them to tell");
   }
-  const PowerShape shape = powerShape(polarBalls, execution.part(0, 0.1));
-  MedialAxis axis = axisFromSites(polarBalls, shape, execution.part(0.1, 0.9));
+  const PowerShape shape = powerShape(polarBalls, execution.between(0, 0.1));
+  MedialAxis axis = axisFromSites(polarBalls, shape, execution.between(0.1, 0.9));
   if (axis.betti != shape.betti && options.fallback == AxisFallback::Collapse)
   {
     axis = axisOf(collapsedShape(polarBalls, shape));

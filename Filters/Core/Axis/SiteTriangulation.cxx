@@ -111,7 +111,7 @@ SiteTriangulation siteTriangulation(const PolarBalls& polarBalls, const PowerSha
   std::transform(sites.positions.begin(), sites.positions.end(), points.begin(),
     [&](const Point& p) -> Point { return frame.toLocal(p); });
   SiteTriangulation result;
-  result.mesh = delaunay(points, execution.part(0, 0.5));
+  result.mesh = delaunay(points, execution.between(0, 0.5));
   result.siteCount = count(points);
   result.edges = edgeNumbers(result.mesh.cells, result.siteCount);
   execution.report(0.6);

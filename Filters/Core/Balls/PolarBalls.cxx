@@ -256,14 +256,14 @@ PolarBallsAndSamples polarBallsAndSamples(
 {
   const DistinctSamples distinct = distinctSamples(samples);
   requireVolume(distinct);
-  const DelaunaySpheres spheres = delaunaySpheres(distinct.points, execution.part(0, 0.2));
+  const DelaunaySpheres spheres = delaunaySpheres(distinct.points, execution.between(0, 0.2));
   const std::vector<std::array<Index, 2>> poleClasses = poles(spheres);
   PolarBallsAndSamples made;
   PolarBalls& result = made.balls;
   result.samples = samples;
   const std::vector<Index> ballOfCell = numberBalls(spheres, poleClasses, result);
   collectSamples(spheres, ballOfCell, distinct.ids, result);
-  result.cells = powerCells(result.balls, execution.part(0.2, 0.8));
+  result.cells = powerCells(result.balls, execution.between(0.2, 0.8));
 
   std::vector<std::array<Index, 2>> ballsOfSample(poleClasses.size());
   for (std::size_t s = 0; s < poleClasses.size(); ++s)
@@ -275,7 +275,7 @@ PolarBallsAndSamples polarBallsAndSamples(
   }
   result.sides =
     sides({ distinct.points, ballsOfSample, result.balls, result.touchesGuard, result.cells },
-      execution.part(0.8, 0.9));
+      execution.between(0.8, 0.9));
   measureVolumes(spheres, ballOfCell, ballsOfSample, result, execution);
   assignBalls(distinct, ballsOfSample, result);
   made.samples = describeSamples(distinct, ballsOfSample, result.balls);

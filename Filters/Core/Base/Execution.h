@@ -50,8 +50,9 @@ struct Execution
     }
   }
 
-  /// The same with progress 0 ... 1 of a piece of the work mapped to [from, to].
-  Execution part(double from, double to) const
+  /// For a step of the work: its progress 0 ... 1 is reported as from ... to of the whole. Example:
+  /// `polarBalls(samples, execution.between(0, 0.9))`.
+  Execution between(double from, double to) const
   {
     Execution result = *this;
     if (this->progress)

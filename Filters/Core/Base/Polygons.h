@@ -26,11 +26,12 @@ private:
   std::unordered_set<std::uint64_t> edges;
 };
 
-/// Triangles of a convex polygon, oriented as it is, by a fan.
+/// Cuts a convex polygon into a fan of triangles, oriented as it is.
 ///
-/// No diagonal is an edge that exists already: two faces would be glued along it. The diagonals are
-/// added to `edges`. Of the fans without such a diagonal it takes the one whose least triangle is
-/// largest. Where there is none, the centroid is appended to `points` and the fan is about it.
+/// A diagonal must not be an edge that exists already, or two faces would be glued together along it.
+/// Of the fans without such a diagonal it takes the one whose smallest triangle is largest. If there is
+/// none, the centroid is appended to `points`, and the triangles are around it. New edges are added to
+/// `edges`. Tries at most 32 fans, each in linear time.
 /// @param polygon  at least 3 different corners
 /// @param edges    with the sides of all polygons
 std::vector<Triangle> triangulate(

@@ -6,15 +6,17 @@
 
 namespace medial
 {
-/// On which side of the plane through a, b, c is d: 1 where a, b, c are counter-clockwise seen from
-/// it, -1 on the other side, 0 in the plane. Exact.
+/// The side of the plane through a, b, c on which d lies: 1 if a, b, c are counter-clockwise seen from
+/// d, -1 on the other side, 0 in the plane. Exact.
 int orientation(const Point& a, const Point& b, const Point& c, const Point& d);
 
 /// The point with the same power |x - center|^2 - radius^2 to four balls.
 ///
-/// Constructed in doubles; where their rounding could move it by more than `tolerance` (flat
-/// tetrahedra), in longer numbers, and at last in exact rationals, rounded once.
-/// @return  not finite where the centres are in one plane (exactly)
+/// It solves three linear equations by Cramer's rule. First in doubles, with a bound of the rounding
+/// error; if the error may exceed `tolerance`, as for flat tetrahedra, in long doubles, with a bound
+/// again; and if that is not enough, in exact rationals, rounded once at the end. Nearly all points are
+/// found by the first step; the last one is several hundred times slower.
+/// @return  not finite if the centres are in one plane (exactly)
 Point powerCenter(const std::array<Ball, 4>& balls, double tolerance);
 
 /// The ball through four points, as `powerCenter`.

@@ -14,10 +14,12 @@ namespace medial
 /// The Delaunay triangulation of distinct points; no cells where they lie in a plane.
 Tetrahedra delaunay(const std::vector<Point>& points, const Execution& execution = {});
 
-/// Ball `number` with a squared radius changed by up to 1e-9 of it, in the same way in every run.
+/// Ball `number` with a radius changed by up to 5e-10 of itself, in the same way in every run.
 ///
-/// Every sample is a degenerate vertex of the power diagram of the polar balls. Without the change
-/// exact arithmetic decides rounding noise there, for most of the time.
+/// All polar balls through a sample meet there, so the sample is a degenerate vertex of their power
+/// diagram: more than four cells meet. Computed balls miss it by rounding errors, and exact arithmetic
+/// would spend most of the time on deciding these. The change is far above the rounding errors and far
+/// below the sample spacing, so that doubles decide nearly always.
 Ball jittered(const Ball& ball, Index number);
 
 /// The regular triangulation of balls, weights their squared radii: the dual of their power diagram.

@@ -110,7 +110,7 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   RegularTriangulation triangulation;
   if (!chosen.all)
   {
-    triangulation.insert(diagram.balls, execution.part(0, 0.6));
+    triangulation.insert(diagram.balls, execution.between(0, 0.6));
   }
   findVertices(chosen.all ? cellsOfAll(polarBalls, chosen.ids) : triangulation.tetrahedra(),
     diagram, execution);
@@ -121,7 +121,7 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
     const FillingGoal goal{ options.clearance * spacing, options.maximumRounds,
       options.topology ? *options.topology : topologyOf(polarBalls, keep) };
     filling = fillClearance(goal, UntouchedCells(polarBalls.cells, chosen.ids), innerBalls,
-      triangulation, diagram, execution.part(0.6, 0.8));
+      triangulation, diagram, execution.between(0.6, 0.8));
   }
   execution.report(0.8);
   Crust crust;

@@ -221,7 +221,7 @@ Pruned pruned(const PrunableAxis& input, LivingCells& living, const Bodies& bodi
   const PruneRound round = run.rounds.next(last ? last->measure : Measure::TriangleCount);
   run.rounds.findAllLevels();
   result.parts =
-    decompose(living, *round.partition, input.measures, execution.part(0.9, 1), bodies);
+    decompose(living, *round.partition, input.measures, execution.between(0.9, 1), bodies);
   std::vector<Index>& partOfCell = result.parts.partOfCell;
   partOfCell.erase(std::remove(partOfCell.begin(), partOfCell.end(), None), partOfCell.end());
   result.keepReason = keepReasons(living, round, last);
