@@ -18,9 +18,12 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -37,44 +40,59 @@ using filterTest::Stages;
 struct Needed
 {
   int attributes;
-  const char* name;
-  double tooLarge; ///< nothing to be found there; 0: any number will do
+  std::string name;
+  double tooLarge; ///< no number of anything; 0: not an array of whole numbers
 };
 
-constexpr double Huge = 2e9;
+double tooLargeFor(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_UNSIGNED_CHAR ? 255
+    : array->GetDataType() == VTK_DOUBLE           ? 0
+                                                   : 2147483647.;
+}
+
+/// Does the stage refuse an input without this array, by its name? Else it does not need it.
+bool isNeeded(const Stage& stage, int attributes, const char* name)
+{
+  Alone alone(stage);
+  alone.input()->GetAttributesAsFieldData(attributes)->RemoveArray(name);
+  alone.input()->Modified();
+  const ErrorLog log(alone.filter());
+  alone.filter()->Update();
+  EXPECT_LE(log.messages().size(), 1u) << name;
+  const bool isRefused = !log.messages().empty();
+  if (isRefused)
+  {
+    const std::string quoted = "'" + std::string(name) + "'";
+    EXPECT_NE(log.messages()[0].find(quoted), std::string::npos) << log.messages()[0];
+  }
+  return isRefused;
+}
+
+/// The arrays that a stage needs, found by taking away one after another.
+std::vector<Needed> arraysNeeded(const Stage& stage)
+{
+  std::vector<Needed> result;
+  const Alone alone(stage);
+  for (const int attributes : { vtkDataObject::POINT, vtkDataObject::CELL, vtkDataObject::FIELD })
+  {
+    vtkFieldData* data = alone.input()->GetAttributesAsFieldData(attributes);
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      if (isNeeded(stage, attributes, data->GetArrayName(i)))
+      {
+        result.push_back({ attributes, data->GetArrayName(i), tooLargeFor(data->GetArray(i)) });
+      }
+    }
+  }
+  return result;
+}
 
 const std::vector<Needed>& needed(const Stage& stage)
 {
-  static const std::vector<Needed> none;
-  static const std::vector<Needed> ofBalls = {
-    { vtkDataObject::POINT, "Radius", 0 },
-    { vtkDataObject::POINT, "Side", 3 },
-    { vtkDataObject::POINT, "TouchesGuard", 2 },
-    { vtkDataObject::POINT, "Volume", 0 },
-    { vtkDataObject::FIELD, "Samples", 0 },
-    { vtkDataObject::FIELD, "SampleInnerBall", Huge },
-    { vtkDataObject::FIELD, "SampleOuterBall", Huge },
-    { vtkDataObject::FIELD, "SampleSpacing", 0 },
-    { vtkDataObject::FIELD, "BallSampleOffsets", Huge },
-    { vtkDataObject::FIELD, "BallSamples", Huge },
-  };
-  static const std::vector<Needed> ofAxis = {
-    { vtkDataObject::POINT, "Radius", 0 },
-    { vtkDataObject::POINT, "BallId", Huge },
-    { vtkDataObject::CELL, "PolygonId", 2147483647. },
-    { vtkDataObject::CELL, "SiteSamples", 2147483647. },
-    { vtkDataObject::FIELD, "BallOwner", Huge },
-    { vtkDataObject::FIELD, "BallVolume", 0 },
-    { vtkDataObject::FIELD, "BettiPowerShape", 2147483647. },
-    { vtkDataObject::FIELD, "BettiAxis", 2147483647. },
-    { vtkDataObject::FIELD, "Certificate", 2 },
-    { vtkDataObject::FIELD, "Fallback", 2 },
-    { vtkDataObject::FIELD, "Kappa", 0 },
-  };
-  const std::string name = stage.name;
-  return name == "PolarBalls"                      ? none
-    : name == "MedialAxis" || name == "PowerCrust" ? ofBalls
-                                                   : ofAxis;
+  static std::map<std::string, std::vector<Needed>> known;
+  const auto found = known.find(stage.name);
+  return found != known.end() ? found->second : known[stage.name] = arraysNeeded(stage);
 }
 
 const char* kindOf(const Needed& array)
@@ -164,12 +182,25 @@ TEST_P(Stages, DontDependOnThreads)
   EXPECT_TRUE(same(alone.filter()->GetOutputDataObject(0), model->GetOutputDataObject(0)));
 }
 
+TEST_P(Stages, NeedArraysOfTheirInput)
+{
+  const std::vector<Needed>& arrays = needed(this->GetParam());
+  const bool isFirst = std::string(this->GetParam().name) == "PolarBalls"; // of any points
+  EXPECT_EQ(arrays.empty(), isFirst);
+  for (const int attributes : { vtkDataObject::POINT, vtkDataObject::FIELD })
+  {
+    EXPECT_EQ(std::any_of(arrays.begin(), arrays.end(),
+                [=](const Needed& array) { return array.attributes == attributes; }),
+      !isFirst);
+  }
+}
+
 TEST_P(Stages, NameAnArrayThatIsMissing)
 {
   expectRefusal(
     this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
-      data->RemoveArray(array.name);
+      data->RemoveArray(array.name.c_str());
       return true;
     },
     "there is no ");
@@ -181,8 +212,8 @@ TEST_P(Stages, NameAnArrayOfText)
     this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
       vtkNew<vtkStringArray> text;
-      text->SetName(array.name);
-      text->SetNumberOfValues(data->GetAbstractArray(array.name)->GetNumberOfTuples());
+      text->SetName(array.name.c_str());
+      text->SetNumberOfValues(data->GetAbstractArray(array.name.c_str())->GetNumberOfTuples());
       data->AddArray(text);
       return true;
     },
@@ -194,11 +225,10 @@ TEST_P(Stages, NameAnArrayThatIsTooShort)
   expectRefusal(
     this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
-      vtkAbstractArray* values = data->GetAbstractArray(array.name);
+      vtkAbstractArray* values = data->GetAbstractArray(array.name.c_str());
       values->SetNumberOfTuples(values->GetNumberOfTuples() - 1);
-      const std::string name = array.name;
       // Others are then too long for these, see NameAListWhoseOffsetsDontFit.
-      return name != "Samples" && name != "BallSamples" && name != "BallOwner";
+      return array.name != "Samples" && array.name != "BallSamples" && array.name != "BallOwner";
     },
     "entries instead of ");
 }
@@ -208,7 +238,7 @@ TEST_P(Stages, NameAnArrayWithOtherComponents)
   expectRefusal(
     this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
-      vtkAbstractArray* values = data->GetAbstractArray(array.name);
+      vtkAbstractArray* values = data->GetAbstractArray(array.name.c_str());
       const vtkIdType count = values->GetNumberOfTuples();
       values->SetNumberOfComponents(values->GetNumberOfComponents() + 1);
       values->SetNumberOfTuples(count);
@@ -223,7 +253,7 @@ TEST_P(Stages, NameAnArrayOfFractionsWhereIdsAreNeeded)
     this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
       vtkNew<vtkDoubleArray> fractions;
-      fractions->DeepCopy(data->GetArray(array.name));
+      fractions->DeepCopy(data->GetArray(array.name.c_str()));
       data->AddArray(fractions);
       return array.tooLarge != 0;
     },
@@ -235,7 +265,7 @@ TEST_P(Stages, NameAnArrayWithAnIdOfNothing)
   expectRefusal(
     this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
-      data->GetArray(array.name)->SetComponent(0, 0, array.tooLarge);
+      data->GetArray(array.name.c_str())->SetComponent(0, 0, array.tooLarge);
       return array.tooLarge != 0;
     },
     "has the value ");
@@ -246,8 +276,8 @@ TEST_P(Stages, NameAnArrayWithANegativeId)
   expectRefusal(
     this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
-      data->GetArray(array.name)->SetComponent(0, 0, -2);
-      return array.tooLarge > 3; // -2 can't be stored in the others
+      data->GetArray(array.name.c_str())->SetComponent(0, 0, -2);
+      return array.tooLarge > 255; // -2 can't be stored in the others
     },
     "has the value -2 at 0");
 }
@@ -257,7 +287,7 @@ TEST_P(Stages, NameAnArrayThatIsNotFinite)
   expectRefusal(
     this->GetParam(),
     [](vtkFieldData* data, const Needed& array) {
-      data->GetArray(array.name)->SetComponent(0, 0, std::nan(""));
+      data->GetArray(array.name.c_str())->SetComponent(0, 0, std::nan(""));
       return array.tooLarge == 0;
     },
     "has the value ");
@@ -271,7 +301,8 @@ void damage(vtkPointSet* data, const Stage& stage, std::mt19937& random)
   };
   const std::vector<Needed>& names = needed(stage);
   const Needed& array = names[below(static_cast<vtkIdType>(names.size()))];
-  vtkDataArray* values = data->GetAttributesAsFieldData(array.attributes)->GetArray(array.name);
+  vtkDataArray* values =
+    data->GetAttributesAsFieldData(array.attributes)->GetArray(array.name.c_str());
   const vtkIdType place = below(values->GetNumberOfTuples());
   const int component = static_cast<int>(below(values->GetNumberOfComponents()));
   const double candidates[] = { -1, 0, 1, 2, 1e300, -5, std::nan(""),
