@@ -15,28 +15,27 @@
  *  - `PartId` (vtkIdType, >= 0, active scalars): the cell's part.
  *  - `PartLevel` (int): of its part. 1 at the border of the axis, one more for each step inwards; 0
  *    for closed sheets that no border reaches, and above MaximumLevel.
- *  - `TriangleCount` (vtkIdType): of its part.
- *  - `RelativeVolume` (double, 0 ... 1): the share of its part in the solid's volume.
- *  - `PartPoleVolume`, `PartArea`, `PartMeanRadius`, `PartMaximumRadius`, `PartObjectAngle` (degrees),
- *    `PartLambda`, `PartErosionThickness`, `PartHausdorffDistance` (double): the other measures of its
- *    part, defined in README.md.
+ *  - An array for each measure of its part (vtkIdType for counts, else double). Its name is
+ *    vtkMedialPrune::GetMeasureArray: `TriangleCount`, `RelativeVolume`, `RelativePoleVolume`, and `Part`
+ *    with the measure's name for the others, such as `PartArea`. See vtkMedialPrune::MeasureType.
  *
  * Field data: `NumberOfParts` (vtkIdType, 1 value); `SuggestedThreshold` (double, 1 tuple with a
- * component for each vtkMedialPrune::MeasureType): where parts of level 1 stand out under that
- * measure, at the largest gap in log-significance among the cuts that remove at least half of them and
- * at most a tenth of the volume; 0 where the measure doesn't tell.
+ * component for each vtkMedialPrune::MeasureType): a threshold in the widest gap between the values of
+ * the parts of level 1. It removes at least half of them and at most a tenth of the volume; 0 if there
+ * is no such gap.
  *
  * Output 1: vtkTable, one row for each part
- *  - `PartId`, `Triangles`, `Contacts` (number of contact curves), `Neighbors` (number of parts that it
- *    shares a contact with) (vtkIdType).
+ *  - A column for each measure by its name (vtkMedialPrune::GetMeasureName), with the same values as the
+ *    cell arrays. The relative volumes sum to 1; to 0 where pruning has left no ball.
+ *  - `PartId`, `Contacts` (number of contact curves), `Neighbors` (number of parts that it shares a
+ *    contact with) (vtkIdType).
  *  - `Dimension` (2 triangles, 1 lines, 0 a vertex), `Level` (int).
- *  - `NeckRatio` (double, 0 ... 1): where it was cut off at a neck its limb's largest radius / that of
+ *  - `Volume` (double, cube of the samples' unit): of the Delaunay cells that count for its balls.
+ *  - `MinimumRadius` (double): of the maximal balls at its points.
+ *  - `NeckRatio` (double, 0 ... 1): if it was cut off at a neck, its limb's largest radius / that of
  *    what it was cut off; else 1.
- *  - `OnLoop` (unsigned char): 1 where the part joins contacts that hang together without it, as in
- *    output 3. A loop within a single part, such as that of a torus, doesn't show here.
- *  - `Area`, `Volume`, `RelativeVolume` (they sum to 1; to 0 where pruning has left no ball),
- *    `MeanRadius`, `MinimumRadius`, `MaximumRadius` (over its points), `PoleVolume`, `ObjectAngle`,
- *    `Lambda`, `ErosionThickness`, `HausdorffDistance` (double): the measures as above.
+ *  - `OnLoop` (unsigned char): 1 if the part joins contacts that are connected without it, as in
+ *    output 3. A loop within a single part, such as that of a torus, is not seen.
  *  - `Bounds` (double, 6 components): x, y, z from, to each.
  *  - `Centroid` (double, 3 components): of its triangles by area, of its lines by length.
  *  - `PrincipalLengths` (double, 3 components): the sides, descending, of the box with the same second
@@ -56,8 +55,8 @@
  *  - `NodeId`, `PartId` (points and cells; vtkIdType): of a point one of the two, the other is -1; of
  *    a line both.
  *  - `Degree` (points; vtkIdType): the parts at a node; the nodes at a part.
- *  - `OnLoop` (points; unsigned char): 1 on a closed walk that uses no node and no part twice. A loop
- *    inside a single part is none of the graph's.
+ *  - `OnLoop` (points; unsigned char): 1 on a closed walk that uses no node and no part twice. The
+ *    graph does not see a loop inside a single part.
  *
  * The field data of the input is passed on to output 0. An error (an array that is missing or does
  * not fit) leaves the outputs empty and sets the error code. Under MPI the piece 0 holds everything.

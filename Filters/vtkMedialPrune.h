@@ -3,12 +3,16 @@
  * @class   vtkMedialPrune
  * @brief   removes the insignificant parts of a medial axis
  *
- * Fourth filter of the medial axis pipeline. It works through a schedule of iterations. Each cuts
+ * Fourth filter of the medial axis pipeline. It works through a schedule of iterations. Each divides
  * the axis into parts and removes the parts of level 1 whose significance is at most a threshold,
- * least significant first. What the measures are: README.md. By default the removal never changes the Betti numbers: a part may go if
- * and only if it collapses, by free faces, onto its contact with the rest. Passes are repeated; a
- * part takes over the significance of what was removed from it before, so that a long feature isn't
- * eaten up from its end (not so by measures that don't add up). With one pass, or without topology, each part counts alone.
+ * least significant first. The measures of significance are those of MeasureType.
+ *
+ * By default pruning never changes the Betti numbers: a part may go if and only if it collapses, by
+ * free faces, onto its contact with the rest.
+ *
+ * Passes are repeated until nothing changes. The significance of a removed part passes to its most
+ * significant neighbour, if the measure adds up. So a long feature is not removed bit by bit from its
+ * end. With one pass, or without topology, each part counts alone.
  *
  * Input: vtkPolyData, the output of vtkMedialAxis, vtkMedialPartDecomposition or vtkMedialPrune.
  *
@@ -25,8 +29,9 @@
  *    component of the axis; 4 protected.
  *
  * Output 1: vtkTable, one row for each iteration, and one more where something was removed by hand:
- * `Iteration` (vtkIdType, from 0), `Word` (string, its word in a schedule), `ByHand` (unsigned char), `Measure` (int; a
- * MeasureType), `Threshold` (double), `Passes` (int; made), `PartsBefore`, `PartsAfter`,
+ * `Iteration` (vtkIdType, from 0), `Word` (string; its word in a schedule to three digits, or "by
+ * hand"), `ByHand` (unsigned char), `Measure` (int; a MeasureType), `Threshold` (double), `Passes` (int;
+ * made), `PartsBefore`, `PartsAfter`,
  * `Candidates` (parts of level 1 with at most the threshold; by hand: parts named), `Removed` (parts),
  * `Refused` (candidates that stayed in the last pass; the sum of `RefusedByTopology`,
  * `RefusedIsolated`, a whole piece of the axis, and `RefusedProtected`), `TopologyChanges` (removals
@@ -40,10 +45,10 @@
  * One warning lists the parts that were to be removed by hand and were not, with the reason: needed
  * for the topology, a whole piece of the axis, protected, or already gone.
  *
- * So that another threshold takes a fraction of the time, the filter keeps a copy of the axis, what it
- * has made of it and what went when, about 200 bytes for each cell, until it runs on an input that has
- * changed. Iterations with which the last schedule began, too, are not made again. Who changes values of
- * an array in place must call its Modified().
+ * Pruning again with another threshold takes a fraction of the time. For that the filter keeps a copy of
+ * the axis, what it has derived from it, and what went when: about 200 bytes for each cell, until it
+ * runs on an input that has changed. Iterations at the beginning of the schedule that are the same as
+ * in the last run are not made again. If you change values of an array in place, call its Modified().
  *
  * An error (an array that is missing or does not fit; a negative threshold; a part or cell to remove
  * or to protect that isn't there; a selection that can't be used) leaves the outputs empty and sets
