@@ -26,7 +26,7 @@ Effect graphEffect(const PruneRound& round, const std::vector<Index>& parts)
   return nodes == 0 ? Effect::Isolated : nodes == 1 ? Effect::None : Effect::Changes;
 }
 
-/// Searches the pieces that hang together without a part, each from a neighbor of the part.
+/// Searches the pieces that are connected without a part, each from a neighbor of the part.
 ///
 /// Idea: without the part, its surroundings fall apart into pieces. All but the largest make the branch
 /// with it. Walking through the largest, which is usually nearly the whole axis, would be too slow, so
