@@ -40,7 +40,8 @@ Frame frameOf(const std::vector<Point>& points)
   }
   requireFinite(points);
   const Eigen::AlignedBox3d box = boundingBox(points);
-  const Point lower = 0.5 * box.min(), upper = 0.5 * box.max(); // their difference is a double
+  // Half of the corners: their difference can't overflow.
+  const Point lower = 0.5 * box.min(), upper = 0.5 * box.max();
   const double size = 2 * (upper - lower).maxCoeff();
   if (size == 0)
   {

@@ -12,6 +12,9 @@ namespace medial
 {
 namespace
 {
+// Equal triangles of two cells, and equal edges of many, are found by sorting. A sort of all of them would
+// cost n log n. Grouped by their lowest corner first, in linear time, only short lists are to be sorted.
+
 /// A simplex's corners but the lowest, ascending, and where it comes from (4 * cell + i and such).
 struct Place
 {

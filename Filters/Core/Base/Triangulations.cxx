@@ -37,7 +37,8 @@ using RegularCell = CGAL::Regular_triangulation_cell_base_3<Kernel,
 using Regular = CGAL::Regular_triangulation_3<Kernel,
   CGAL::Triangulation_data_structure_3<RegularVertex, RegularCell>>;
 
-/// The points' numbers in an order in which neighbours follow each other.
+/// The points' numbers in an order in which neighbours follow each other (along a Hilbert curve). The order
+/// depends on the coordinates alone, so that the triangulation is the same in every run.
 std::vector<std::size_t> spatialOrder(const std::vector<Kernel::Point_3>& points)
 {
   std::vector<std::size_t> order(points.size());
@@ -48,7 +49,8 @@ std::vector<std::size_t> spatialOrder(const std::vector<Kernel::Point_3>& points
   return order;
 }
 
-/// Inserts element order[i] for all i, each near the one before; vertices get their number.
+/// Inserts element order[i] for all i; vertices get their number. The search for the place of each begins
+/// at the one before: in an order in which neighbours follow each other, it takes constant time on average.
 template <typename Triangulation, typename Element>
 void insertInOrder(Triangulation& triangulation, const std::vector<std::size_t>& order,
   const Element& element, Index firstNumber, const Execution& execution)

@@ -48,7 +48,8 @@ ContactEdges contactEdges(const LivingCells& living, const Partition& partition)
   return result;
 }
 
-/// The next edge of a contact curve beyond its point, or None where the curve is broken.
+/// The next edge of a contact curve beyond its point, or None where the curve ends: at a point with one or
+/// more than two contact edges, and where other parts meet along the next edge.
 Index continuation(const ContactEdges& contacts, Index edge, Index point)
 {
   const std::vector<Index>& at = contacts.atPoint.at(point);

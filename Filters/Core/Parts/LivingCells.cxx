@@ -45,6 +45,8 @@ LivingCells::LivingCells(
     this->euler += this->atPoint[p] > 0;
     this->joinAtPoint(p);
   }
+  // A dangling edge is a cell of its own and an edge of the complex: for the Euler characteristic an edge
+  // is there as long as a triangle or a dangling edge uses it.
   this->usesOfEdge = this->atEdge;
   for (const Index e : this->edges.ofDangling)
   {
@@ -84,6 +86,8 @@ void LivingCells::remove(const std::vector<Index>& removed)
   }
 }
 
+// Unions can't be undone, but need not be: cells that are in one group stay connected in the same way as
+// long as they live, because a part is only ever removed as a whole.
 void LivingCells::join()
 {
   for (const Index e : this->changedEdges)

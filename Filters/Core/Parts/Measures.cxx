@@ -37,7 +37,8 @@ Values largestOfCells(const Partition& partition, const Value& value)
     partition, [&value](double most, Index cell) { return std::max(most, value(cell)); });
 }
 
-/// Calls body(part, point) for each point of each part once.
+/// Calls body(part, point) for each point of each part once. Notes for each point the last part that met
+/// it, so that no set is needed: linear in the number of cells.
 template <typename Body>
 void forEachPoint(const MedialAxis& axis, const Partition& partition, const Body& body)
 {
@@ -98,7 +99,8 @@ Values relativePoleVolumes(
 {
   const MedialAxis& axis = measures.axis;
   Values result(partition.cells.size(), 0);
-  std::vector<Index> last(axis.poleVolumes.size(), None); // a ball can be at several points
+  std::vector<Index> last(
+    axis.poleVolumes.size(), None); // a ball can be at several points of a part
   forEachPoint(axis, partition, [&](Index part, Index p) {
     const Index ball = axis.ballOfPoint[p];
     if (ball != None && last[ball] != part && measures.solidVolume > 0)
@@ -201,6 +203,9 @@ HeldBalls heldBalls(const MedialAxis& axis, const Partition& partition)
   return result;
 }
 
+/// For each ball of a part the tree finds the ball of another part that covers it best; groups are parts.
+/// A ball that several parts share stays when one of them goes, so it is in a group of its own. The search
+/// stops at what cannot raise the part's largest value: O(n log n) for n balls, in practice.
 Values hausdorffDistances(
   const PartMeasures& measures, const Partition& partition, const Execution& execution)
 {
@@ -224,6 +229,7 @@ Values hausdorffDistances(
   return result;
 }
 
+/// Counts the triangles at an edge that still live: after pruning, what was a seam may be free.
 Values boundaryLengths(const PartMeasures& measures, const Partition& partition, const Execution&)
 {
   Values result(partition.cells.size(), 0);
