@@ -102,6 +102,41 @@ void writeSamples(const PolarBallsAndSamples& made, vtkPolyData* output)
 }
 }
 
+namespace
+{
+/// What the stages after vtkPolarBalls rely on, beside sizes and ranges of arrays.
+/// @throw InvalidInput  a ball so large or so far away that squares of lengths overflow; a hidden ball in
+///                      a tetrahedron; one that is not hidden in none
+void checkBalls(const PolarBalls& balls)
+{
+  constexpr double largest = 1e150; // its square is a double
+  std::vector<char> isCorner(balls.balls.size(), 0);
+  for (const Tetrahedron& cell : balls.cells)
+  {
+    for (const Index ball : cell)
+    {
+      isCorner[ball] = 1;
+    }
+  }
+  for (Index b = 0; b < count(balls.balls); ++b)
+  {
+    const Ball& ball = balls.balls[b];
+    if (std::max(ball.center.cwiseAbs().maxCoeff(), ball.radius) > largest)
+    {
+      throw InvalidInput("ball ", b, " has a coordinate or a radius above ", largest,
+        ", whose square is no number any more: ", TakePolarBalls);
+    }
+    if (isCorner[b] != (balls.sides[b] != Side::Hidden))
+    {
+      throw InvalidInput("ball ", b, " is a corner of ", isCorner[b] ? "a" : "no",
+        " tetrahedron, but the point array '", names::Side, "' says ",
+        static_cast<int>(balls.sides[b]), isCorner[b] ? " (hidden)" : " (not hidden)", ": ",
+        TakePolarBalls);
+    }
+  }
+}
+}
+
 std::vector<Point> readSamples(vtkPointSet* input)
 {
   return readPoints(input);
@@ -152,6 +187,7 @@ PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
     field.lists(names::BallSampleOffsets, names::BallSamples, ballCount, sampleCount);
   result.spacing = field.reals(names::SampleSpacing, 1, std::numeric_limits<double>::min()).front();
   result.cells = readTetrahedra(input, ballCount);
+  checkBalls(result);
   return result;
 }
 

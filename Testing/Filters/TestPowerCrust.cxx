@@ -2,10 +2,12 @@
 #include "FilterTest.h"
 
 #include <vtkAbstractArray.h>
+#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkIdList.h>
 #include <vtkMassProperties.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -200,6 +202,60 @@ TEST(PowerCrust, RefusesAnAxisAtAnotherPlace)
   const std::string error = onlyError(filter);
   EXPECT_NE(error.find("the axis was made from other balls than these"), std::string::npos)
     << error;
+}
+
+/// The first ball that is a corner of a tetrahedron.
+vtkIdType cornerOf(vtkUnstructuredGrid* balls)
+{
+  return balls->GetCell(0)->GetPointId(0);
+}
+
+TEST(PowerCrust, RefusesAHiddenBallInATetrahedron)
+{
+  const auto balls = filterTest::copy<vtkUnstructuredGrid>(boxPipeline().balls->GetOutput());
+  const vtkIdType corner = cornerOf(balls);
+  balls->GetPointData()->GetArray("Side")->SetComponent(corner, 0, 2);
+  vtkNew<vtkPowerCrust> filter;
+  filter->SetInputData(balls);
+  const std::string error = onlyError(filter);
+  EXPECT_NE(error.find("ball " + std::to_string(corner)), std::string::npos) << error;
+  EXPECT_NE(error.find("'Side'"), std::string::npos) << error;
+  EXPECT_NE(error.find("take the output of vtkPolarBalls"), std::string::npos) << error;
+}
+
+TEST(PowerCrust, RefusesAVisibleBallInNoTetrahedron)
+{
+  const auto balls = filterTest::copy<vtkUnstructuredGrid>(boxPipeline().balls->GetOutput());
+  const vtkIdType added = balls->GetNumberOfPoints();
+  const auto one = filterTest::copy<vtkUnstructuredGrid>(balls);
+  for (vtkIdType cell = 0; cell < one->GetNumberOfCells(); ++cell)
+  {
+    // All tetrahedra at a ball go: they are replaced by another one.
+    vtkIdList* corners = one->GetCell(cell)->GetPointIds();
+    if (corners->IsId(cornerOf(balls)) >= 0)
+    {
+      one->GetCells()->ReplaceCellAtId(
+        cell, one->GetCell(one->GetNumberOfCells() - 1)->GetPointIds());
+    }
+  }
+  EXPECT_GT(added, 0);
+  vtkNew<vtkPowerCrust> filter;
+  filter->SetInputData(one);
+  const std::string error = onlyError(filter);
+  EXPECT_NE(error.find("ball " + std::to_string(cornerOf(balls))), std::string::npos) << error;
+}
+
+TEST(PowerCrust, RefusesACentreAtTheEndOfTheWorld)
+{
+  for (const double far : { 1e160, 1e300, -1e300 })
+  {
+    const auto balls = filterTest::copy<vtkUnstructuredGrid>(boxPipeline().balls->GetOutput());
+    balls->GetPoints()->GetData()->SetComponent(cornerOf(balls), 1, far);
+    vtkNew<vtkPowerCrust> filter;
+    filter->SetInputData(balls);
+    const std::string error = onlyError(filter);
+    EXPECT_NE(error.find("ball " + std::to_string(cornerOf(balls))), std::string::npos) << error;
+  }
 }
 
 TEST(PowerCrust, RefusesAnAxisWithoutCells)
