@@ -110,7 +110,8 @@ std::vector<Option> optionsOf(Arguments& arguments)
     { "--picture", "", "also draws the stages; needs an X server (DISPLAY), see Examples/run",
       turnsOn(arguments.picture) },
     { "--strict", "",
-      "fails (exit 3) where the axis is not certified to have the topology of\nthe solid",
+      "fails (exit 3) unless power shape, axis, pruned axis and surface have the\n"
+      "same topology, and the surface is closed",
       turnsOn(arguments.strict) },
     { "--quiet", "", "prints errors only", turnsOn(arguments.quiet) },
     { "--help", "", "prints this", turnsOn(arguments.help) },

@@ -4,6 +4,7 @@
 #include "Arguments.h"
 #include "Progress.h"
 #include "Tables.h"
+#include "Verdict.h"
 
 #include <vtkMedialAxis.h>
 #include <vtkMedialPartDecomposition.h>
@@ -205,7 +206,30 @@ std::string bettiLine(vtkSimplifyShape* simplify)
     ", pruned " + joined(bettiNumbers(simplify->GetMedialPrune()->GetOutput(), "BettiAxis"), " ");
   line +=
     ", surface " + joined(bettiNumbers(simplify->GetPowerCrust()->GetOutput(), "BettiCrust"), " ");
-  return line + (isCertified(simplify) ? ": certified\n" : ": NOT CERTIFIED\n");
+  const std::vector<std::string> differing = contradictions(simplify);
+  line += differing.empty() ? ": certified\n" : ": NOT CERTIFIED\n";
+  for (const std::string& text : differing)
+  {
+    line += "            " + text + '\n';
+  }
+  const bool isFallback = fieldValue(axis, "Fallback") != 0;
+  return line +
+    (isFallback ? "            the axis is the collapsed power shape (fallback): rough sheets\n"
+                : "");
+}
+}
+
+namespace
+{
+std::string verdict(vtkSimplifyShape* simplify)
+{
+  std::vector<std::string> texts;
+  for (const std::string& text : contradictions(simplify))
+  {
+    texts.push_back('"' + text + '"');
+  }
+  return inBraces({ { "name", texts.empty() ? "\"certified\"" : "\"not certified\"" },
+    { "differs", "[" + joined(texts, ", ") + "]" } });
 }
 }
 
@@ -219,7 +243,9 @@ std::string report(vtkSimplifyShape* simplify, const Progress& progress, double 
         { "duplicates", number(fieldValue(samples, "NumberOfDuplicates")) },
         { "balls", balls(simplify) },
         { "betti", betti(simplify) },
-        { "certificate", truth(isCertified(simplify)) },
+        { "certificate",
+          truth(fieldValue(simplify->GetMedialAxis()->GetOutput(), "Certificate") != 0) },
+        { "verdict", verdict(simplify) },
         { "fallback", truth(fieldValue(simplify->GetMedialAxis()->GetOutput(), "Fallback") != 0) },
         { "iterations",
           iterations(vtkTable::SafeDownCast(simplify->GetMedialPrune()->GetOutputDataObject(1))) },
@@ -264,9 +290,4 @@ std::string grouped(double count)
     digits.insert(i, ",");
   }
   return digits;
-}
-
-bool isCertified(vtkSimplifyShape* simplify)
-{
-  return fieldValue(simplify->GetMedialAxis()->GetOutput(), "Certificate") != 0;
 }

@@ -21,7 +21,4 @@ std::string summary(vtkSimplifyShape* simplify, const Arguments& arguments, doub
 /// A count with commas between thousands.
 std::string grouped(double count);
 
-/// Does the axis have the topology of the power shape?
-bool isCertified(vtkSimplifyShape* simplify);
-
 #endif

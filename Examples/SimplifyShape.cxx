@@ -13,6 +13,7 @@
 #include "ReadPoints.h"
 #include "Report.h"
 #include "Tables.h"
+#include "Verdict.h"
 
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
@@ -183,10 +184,10 @@ ExitCode simplify(const Arguments& arguments)
   {
     std::cout << summary(filter, arguments, total);
   }
-  if (arguments.strict && !isCertified(filter))
+  if (arguments.strict && !contradictions(filter).empty())
   {
-    std::cerr << "SimplifyShape: the topology of the axis is not certified; see betti in "
-              << arguments.output << "/report.json\n";
+    std::cerr << "SimplifyShape: the result is not certified; see verdict in " << arguments.output
+              << "/report.json\n";
     return NotCertified;
   }
   return Done;

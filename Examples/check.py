@@ -178,6 +178,7 @@ class SimplifyShape(unittest.TestCase):
         self.assertEqual(report["betti"], dict.fromkeys(
             ("powerShape", "axis", "pruned", "crust"), [1, 0, 0]))
         self.assertIs(report["certificate"], True)
+        self.assertEqual(report["verdict"], {"name": "certified", "differs": []})
         exact = 4 / 3 * math.pi * 0.7 * 0.5
         self.assertAlmostEqual(report["volume"]["crustBefore"] / exact, 1, delta=0.02)
         self.assertAlmostEqual(report["volume"]["crustAfter"] / exact, 1, delta=0.05)
@@ -212,6 +213,25 @@ class SimplifyShape(unittest.TestCase):
         for (a, b), count in edges.items():
             if a != b:  # corners nearer than a float can tell
                 self.assertEqual(count, edges.get((b, a)), "an open edge")
+
+    def test_verdict_compares_all_stages(self):
+        """Noise of 20 % of the radius makes tunnels that are narrower than the samples are apart."""
+        names = set()
+        for step in (0.6180339887, 0.7548776662, 0.5698402909):
+            points = [tuple(c * (0.8 + 0.4 * (step * (i + 1) % 1)) for c in point)
+                      for i, point in enumerate(ellipsoid())]
+            out = self.path("noisy")
+            done = self.run_program(self.write_xyz(points), "--output", out, "--strict")
+            with open(os.path.join(out, "report.json")) as file:
+                report = json.load(file)
+            betti = report["betti"].values()
+            agree = all(numbers == report["betti"]["powerShape"] for numbers in betti)
+            names.add(report["verdict"]["name"])
+            self.assertEqual(report["verdict"]["name"], "certified" if agree else "not certified")
+            self.assertEqual(len(report["verdict"]["differs"]), 0 if agree else 1)
+            self.assertEqual(done.returncode, 0 if agree else 3)
+            self.assertEqual("NOT CERTIFIED" in done.stdout, not agree)
+        self.assertEqual(names, {"certified", "not certified"})
 
     def test_torus_keeps_its_tunnel(self):
         report, _ = self.simplify(torus(), "--schedule", "t5 v50%", "--strict")
