@@ -59,6 +59,19 @@ bool Arrays::has(const char* name) const
   return this->Data->GetAbstractArray(name) != nullptr;
 }
 
+void Arrays::checkLengths(vtkIdType count) const
+{
+  for (int i = 0; i < this->Data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = this->Data->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() != count)
+    {
+      throw InvalidInput("the ", this->Kind, " array '", array->GetName() ? array->GetName() : "",
+        "' has ", array->GetNumberOfTuples(), " entries instead of ", count, ": ", this->Remedy);
+    }
+  }
+}
+
 vtkDataArray* Arrays::find(const char* name, vtkIdType count, int components) const
 {
   vtkAbstractArray* found = this->Data->GetAbstractArray(name);

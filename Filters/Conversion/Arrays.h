@@ -89,6 +89,10 @@ public:
 
   bool has(const char* name) const;
 
+  /// @throw InvalidInput  an array, needed or not, has another number of entries: VTK relies on it when
+  ///                      arrays are passed on
+  void checkLengths(vtkIdType count) const;
+
   /// How many numbers an array has.
   Index size(const char* name) const;
 

@@ -130,6 +130,7 @@ MedialAxis readMedialAxis(vtkPolyData* input)
   const Arrays cells(input->GetCellData(), "cell", TakeMedialAxis);
   const Arrays field(input->GetFieldData(), "field", TakeMedialAxis);
   const Index pointCount = toIndex(input->GetNumberOfPoints(), "points");
+  points.checkLengths(pointCount);
   MedialAxis result;
   const Index ballCount = field.size(names::BallOwner);
   result.ballOwner = field.indices(names::BallOwner, ballCount, None, ballCount);
@@ -141,6 +142,7 @@ MedialAxis readMedialAxis(vtkPolyData* input)
   result.erosion = points.reals(names::ErosionThickness, pointCount, 0);
   result.cells = readAxisCells(input, pointCount);
   const Index cellCount = result.cells.size();
+  cells.checkLengths(cellCount);
   result.siteViews.reserve(cellCount);
   result.polygonOfCell = cells.indices(names::PolygonId, cellCount, None, Largest);
   result.samplesOfCell = cells.indexTuples<2>(names::SiteSamples, cellCount, None, Largest);

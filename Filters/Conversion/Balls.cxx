@@ -6,6 +6,7 @@
 #include "Conversion/Arrays.h"
 #include "Conversion/Cells.h"
 
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -160,6 +161,7 @@ PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
   const Arrays points(input->GetPointData(), "point", TakePolarBalls);
   const Arrays field(input->GetFieldData(), "field", TakePolarBalls);
   const Index ballCount = toIndex(input->GetNumberOfPoints(), "balls");
+  points.checkLengths(ballCount);
   PolarBalls result;
   const std::vector<double> radii = points.reals(names::Radius, ballCount, 0);
   for (const Point& center : readFinitePoints(input, TakePolarBalls))
@@ -187,6 +189,7 @@ PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
     field.lists(names::BallSampleOffsets, names::BallSamples, ballCount, sampleCount);
   result.spacing = field.reals(names::SampleSpacing, 1, std::numeric_limits<double>::min()).front();
   result.cells = readTetrahedra(input, ballCount);
+  Arrays(input->GetCellData(), "cell", TakePolarBalls).checkLengths(count(result.cells));
   checkBalls(result);
   return result;
 }

@@ -293,6 +293,27 @@ TEST_P(Stages, NameAnArrayThatIsNotFinite)
     "has the value ");
 }
 
+TEST_P(Stages, NameAnArrayOfTheUsersThatIsTooShort)
+{
+  if (std::string(this->GetParam().name) == "PolarBalls")
+  {
+    return; // it passes on field data alone
+  }
+  for (const int attributes : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    Alone alone(this->GetParam());
+    vtkNew<vtkDoubleArray> mine;
+    mine->SetName("Mine");
+    mine->SetNumberOfTuples(3);
+    mine->Fill(0);
+    alone.input()->GetAttributesAsFieldData(attributes)->AddArray(mine);
+    alone.input()->Modified();
+    const std::string error = onlyError(alone.filter());
+    EXPECT_NE(error.find("array 'Mine' has 3 entries instead of "), error.npos) << error;
+    EXPECT_TRUE(failed(alone.filter()));
+  }
+}
+
 /// A cell gets other corners, an array another value: each may make sense or not.
 void damage(vtkPointSet* data, const Stage& stage, std::mt19937& random)
 {
