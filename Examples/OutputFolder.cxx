@@ -12,8 +12,9 @@
 
 namespace fs = std::filesystem;
 
-OutputFolder::OutputFolder(const std::string& folder)
+OutputFolder::OutputFolder(const std::string& folder, const std::string& inputFile)
   : Folder(folder)
+  , InputFile(inputFile)
   , Draft(this->Folder / (".draft-" + std::to_string(getpid())))
 {
   std::error_code error;
@@ -52,6 +53,16 @@ void OutputFolder::writeText(const std::string& text, const std::string& name)
 
 void OutputFolder::publish()
 {
+  for (const fs::directory_entry& entry : fs::directory_iterator(this->Draft))
+  {
+    const fs::path target = this->Folder / entry.path().filename();
+    std::error_code notThere;
+    if (fs::equivalent(target, this->InputFile, notThere))
+    {
+      throw InputError(target.string() +
+        ": is the input, which the results would overwrite; take another --output");
+    }
+  }
   for (const fs::directory_entry& entry : fs::directory_iterator(this->Draft))
   {
     const fs::path target = this->Folder / entry.path().filename();

@@ -13,8 +13,9 @@ class OutputFolder
 {
 public:
   /// Makes the folder if it does not exist yet.
+  /// @param inputFile  is never overwritten
   /// @throw InputError  the folder can't be made
-  explicit OutputFolder(const std::string& folder);
+  OutputFolder(const std::string& folder, const std::string& inputFile);
 
   /// Removes the files that were not published, and the folder if it is new and empty.
   ~OutputFolder();
@@ -37,7 +38,8 @@ public:
   void writeText(const std::string& text, const std::string& name);
 
   /// Moves all written files to their places.
-  /// @throw InputError  a file can't be moved
+  /// @throw InputError  a file can't be moved, or would overwrite the input; in the latter case none is
+  ///                    moved
   void publish();
 
 private:
@@ -45,6 +47,7 @@ private:
   void check(const std::string& name, vtkAlgorithm* writer) const;
 
   std::filesystem::path Folder;
+  std::filesystem::path InputFile;
   std::filesystem::path Draft; ///< inside Folder, thus on the same disk
   bool IsNew;
 };

@@ -164,7 +164,7 @@ ExitCode simplify(const Arguments& arguments)
     vtkSMPTools::Initialize(arguments.threads);
   }
   auto samples = readPoints(arguments.input);
-  OutputFolder folder(arguments.output);
+  OutputFolder folder(arguments.output, arguments.input);
   vtkNew<vtkSimplifyShape> filter;
   filter->SetInputData(samples);
   setProperties(filter, arguments);

@@ -233,6 +233,16 @@ class SimplifyShape(unittest.TestCase):
             self.assertEqual("NOT CERTIFIED" in done.stdout, not agree)
         self.assertEqual(names, {"certified", "not certified"})
 
+    def test_input_is_not_overwritten(self):
+        _, out = self.simplify(ellipsoid(600))
+        surface = os.path.join(out, "surface.stl")
+        before = {name: os.path.getmtime(os.path.join(out, name)) for name in os.listdir(out)}
+        done = self.run_program(surface, "--output", out, "--schedule", "")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("surface.stl: is the input", done.stderr)
+        after = {name: os.path.getmtime(os.path.join(out, name)) for name in os.listdir(out)}
+        self.assertEqual(after, before)
+
     def test_torus_keeps_its_tunnel(self):
         report, _ = self.simplify(torus(), "--schedule", "t5 v50%", "--strict")
         for betti in report["betti"].values():
