@@ -5,6 +5,7 @@
 #include "Base/Execution.h"
 #include "Base/Lists.h"
 #include "Base/Types.h"
+#include "Base/Warnings.h"
 
 #include <vector>
 
@@ -44,6 +45,7 @@ struct SampleDescription
   std::vector<Index> duplicateOf; ///< the first sample at the very same place, or None
   std::vector<double> quality; ///< -cos of the angle at which it sees its two poles, -1 ... 1: 1 is
                                ///< best; 0 and less: an edge, or too few samples
+  Warnings warnings;           ///< about the samples and the balls
 };
 
 struct PolarBallsAndSamples

@@ -5,6 +5,7 @@
 #include "Balls/PolarBalls.h"
 #include "Base/Execution.h"
 #include "Base/Types.h"
+#include "Base/Warnings.h"
 #include "Crust/CrustOptions.h"
 #include "Crust/CrustSurface.h"
 #include "Crust/SolidMeasures.h"
@@ -24,8 +25,9 @@ struct Crust
   Index refusedBalls = 0;  ///< not inserted: the topology would have changed
   int rounds = 0;          ///< of insertion made
   double maximumClearance =
-    0; ///< largest distance of a point that is no sample to the union of the
-       ///< kept balls, in sample spacings; 0 where none is outside
+    0;               ///< largest distance of a point that is no sample to the union of the
+                     ///< kept balls, in sample spacings; 0 where none is outside
+  Warnings warnings; ///< about the surface
 };
 
 /// The power crust of the inner balls with keep[ball] != 0 and the outer balls.
