@@ -13,41 +13,16 @@ import pty
 import re
 import struct
 import subprocess
-import sys
-import tempfile
 import unittest
 
-PROGRAM = os.path.abspath(sys.argv.pop(1))
+from check_inputs import Inputs  # what the program reads and refuses; run with the rest
+from program_test import PROGRAM, ProgramTest, ellipsoid, torus
+
+__all__ = ["Inputs", "SimplifyShape"]
 
 DATA = {"balls.vtu", "samples.vtp", "axis.vtp", "parts.vtp", "pruned.vtp", "surface.vtp", "surface.stl",
         "parts.csv", "history.csv", "report.json"}
 PICTURES = {"samples.png", "axis.png", "parts.png", "pruned.png", "surface.png", "overview.png"}
-
-
-def ellipsoid(count=1500, axes=(1.0, 0.7, 0.5)):
-    """Points spread over an ellipsoid along a spiral."""
-    golden = math.pi * (3 - math.sqrt(5))
-    points = []
-    for i in range(count):
-        z = 1 - (2 * i + 1) / count
-        r = math.sqrt(1 - z * z)
-        points.append((axes[0] * r * math.cos(golden * i), axes[1] * r * math.sin(golden * i),
-                       axes[2] * z))
-    return points
-
-
-def torus(count=3000, big=1.0, small=0.4):
-    """Points spread over a torus, of even density, by two irrational steps."""
-    points = []
-    for i in range(count):
-        u = 2 * math.pi * (i * 0.7548776662466927 % 1)
-        area = i * 0.5698402909980532 % 1
-        v = 2 * math.pi * area
-        for _ in range(20):  # area(v) = (v + small / big sin v) / 2 pi
-            v = 2 * math.pi * area - small / big * math.sin(v)
-        r = big + small * math.cos(v)
-        points.append((r * math.cos(u), r * math.sin(u), small * math.sin(v)))
-    return points
 
 
 def triangles(stl):
@@ -61,46 +36,7 @@ def triangles(stl):
         yield v[0:3], v[3:6], v[6:9]
 
 
-class SimplifyShape(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def path(self, name):
-        return os.path.join(self.folder.name, name)
-
-    def write(self, name, text):
-        with open(self.path(name), "w") as file:
-            file.write(text)
-        return self.path(name)
-
-    def write_xyz(self, points, name="points.xyz"):
-        return self.write(name, "".join("%.17g %.17g %.17g\n" % point for point in points))
-
-    def write_off(self, points, name="points.off"):
-        return self.write(name, "OFF\n# made by a test\n%d 0 0\n\n" % len(points) +
-                          "".join("%.17g %.17g %.17g\n" % point for point in points))
-
-    def run_program(self, *arguments, environment=None):
-        return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True,
-                              stdin=subprocess.DEVNULL, env=environment)
-
-    def simplify(self, points, *arguments):
-        """Runs on points; returns the report and the folder."""
-        out = self.path("out")
-        done = self.run_program(self.write_xyz(points), "--output", out, *arguments)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        with open(os.path.join(out, "report.json")) as file:
-            return json.load(file), out
-
-    def assert_fails(self, code, fragments, *arguments):
-        done = self.run_program(*arguments, "--output", self.path("none"))
-        self.assertEqual(done.returncode, code, done.stderr)
-        self.assertEqual(done.stderr.count("\n"), 1, "one line expected: " + done.stderr)
-        for fragment in fragments:
-            self.assertIn(fragment, done.stderr)
-        self.assertFalse(os.path.exists(self.path("none")), "a failed run left results")
-
+class SimplifyShape(ProgramTest):
     def options(self):
         """Each option of --help with an example of its value, or None if it takes none."""
         examples = {"DIR": self.path("none"), '"W W ..."': "t5", "WORD": "none", "ID,ID": "0,1",
@@ -145,24 +81,6 @@ class SimplifyShape(unittest.TestCase):
         self.assert_fails(1, ["--automatic", "--schedule"], points, "--automatic",
                           "--schedule", "t1")
         self.assert_fails(1, ["one input"], points, points)
-
-    def test_unusable_files_give_2(self):
-        self.assert_fails(2, ["nowhere.ply", "No such file"], self.path("nowhere.ply"))
-        self.assert_fails(2, ["is a folder"], self.folder.name)
-        self.assert_fails(2, ["'.txt'", ".xyz"], self.write("points.txt", "0 0 0\n"))
-        self.assert_fails(2, ["bad.xyz", "line 2", "0 a 0"], self.write("bad.xyz", "0 0 0\n0 a 0\n"))
-        self.assert_fails(2, ["bad.off", "line 1"], self.write("bad.off", "PLY\n"))
-        self.assert_fails(2, ["of 9 points"], self.write("short.off", "OFF 9 0 0\n0 0 0\n"))
-        self.assert_fails(2, ["binary"], self.write("binary.off", "OFF BINARY\n"))
-        for name in ("bad.ply", "bad.vtp", "bad.vtu", "bad.stl", "bad.obj"):
-            self.assert_fails(2, [name], self.write(name, "nonsense\n"))
-
-    def test_unusable_points_give_2(self):
-        self.assert_fails(2, ["4"], self.write_xyz([(0, 0, 0), (1, 0, 0), (0, 1, 0)]))
-        self.assert_fails(2, ["plane"], self.write_xyz([(i % 5, i // 5, 0) for i in range(25)]))
-        self.assert_fails(2, ["line"], self.write_xyz([(i, 2 * i, 3 * i) for i in range(25)]))
-        self.assert_fails(2, ["finite"], self.write_xyz(ellipsoid(100) + [(math.nan, 0, 0)]))
-        self.assert_fails(2, [], self.write("empty.xyz", "# nothing\n"))
 
     def test_output_that_is_a_file_gives_2(self):
         points = self.write_xyz(ellipsoid(300))
@@ -296,13 +214,6 @@ class SimplifyShape(unittest.TestCase):
                 del reports[-1][key]
         self.assertEqual(reports[0], reports[1])
         self.assertEqual(reports[0], reports[2])
-
-    def test_xyz_is_read_with_comments_and_more_columns(self):
-        text = "".join("%.17g, %.17g; %.17g 255 0 abc\n\n" % point for point in ellipsoid(300))
-        out = self.path("out")
-        done = self.run_program(self.write("p.xyz", "# comment\n" + text), "--output", out)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("300 samples", done.stdout)
 
     def test_bar_is_for_terminals_only(self):
         points = self.write_xyz(ellipsoid(300))
