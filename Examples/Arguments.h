@@ -15,7 +15,8 @@ struct Arguments
   bool splitAtNecks = false;
   bool keepTopology = true;
   std::vector<int> partsToRemove;
-  int threads = 0; ///< 0: as many as the machine has
+  bool dropInvalid = false; ///< leave points with NaN or infinite coordinates out
+  int threads = 0;          ///< 0: as many as the machine has
   bool picture = false;
   bool strict = false;
   bool quiet = false;

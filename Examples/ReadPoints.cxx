@@ -3,23 +3,26 @@
 
 #include "Errors.h"
 #include "Messages.h"
+#include "ReadObj.h"
+#include "ReadPly.h"
+#include "ReadStl.h"
 #include "ReadText.h"
 
-#include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
-#include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSTLReader.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 namespace
 {
@@ -34,7 +37,8 @@ std::string lowerCaseExtension(const std::string& file)
 /// @throw InputError  there is no such file, or it may not be read
 void checkReadable(const std::string& file)
 {
-  if (std::filesystem::is_directory(file))
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
   {
     throw InputError(file + ": is a folder, not a file of points");
   }
@@ -44,9 +48,9 @@ void checkReadable(const std::string& file)
   }
 }
 
-/// The points that one of VTK's readers finds.
+/// What one of VTK's readers finds.
 template <typename Reader>
-vtkSmartPointer<vtkPoints> readWith(const std::string& file)
+vtkSmartPointer<vtkPointSet> readWith(const std::string& file)
 {
   vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
@@ -57,25 +61,27 @@ vtkSmartPointer<vtkPoints> readWith(const std::string& file)
     throw InputError(
       file + ": can't be read as " + lowerCaseExtension(file) + ": " + messages::error());
   }
-  if (!output || !output->GetPoints())
-  {
-    throw InputError(file + ": no points can be read from it");
-  }
   messages::clear();
-  return output->GetPoints();
+  return output;
 }
 
-vtkSmartPointer<vtkPoints> read(const std::string& file, const std::string& extension)
+template <vtkSmartPointer<vtkPolyData> Reader(const std::string&)>
+vtkSmartPointer<vtkPointSet> readBy(const std::string& file)
 {
-  using Read = vtkSmartPointer<vtkPoints> (*)(const std::string&);
+  return Reader(file);
+}
+
+vtkSmartPointer<vtkPointSet> read(const std::string& file, const std::string& extension)
+{
+  using Read = vtkSmartPointer<vtkPointSet> (*)(const std::string&);
   static const std::pair<const char*, Read> readers[] = {
-    { ".ply", readWith<vtkPLYReader> },
-    { ".stl", readWith<vtkSTLReader> },
-    { ".obj", readWith<vtkOBJReader> },
+    { ".ply", readBy<readPly> },
+    { ".stl", readBy<readStl> },
+    { ".obj", readBy<readObj> },
     { ".vtp", readWith<vtkXMLPolyDataReader> },
     { ".vtu", readWith<vtkXMLUnstructuredGridReader> },
-    { ".off", readOff },
-    { ".xyz", readXyz },
+    { ".off", readBy<readOff> },
+    { ".xyz", readBy<readXyz> },
   };
   for (const auto& [name, reader] : readers)
   {
@@ -87,12 +93,57 @@ vtkSmartPointer<vtkPoints> read(const std::string& file, const std::string& exte
   throw InputError(file + ": can't read '" + extension +
     "' files; convert it to .ply .stl .obj .vtp .vtu .off or .xyz");
 }
+
+bool isFinite(const std::array<double, 3>& point)
+{
+  return std::all_of(point.begin(), point.end(), [](double value) { return std::isfinite(value); });
 }
 
-vtkSmartPointer<vtkPolyData> readPoints(const std::string& file)
+/// The finite points.
+/// @param first  gets the id of the first other one, or -1
+vtkSmartPointer<vtkPoints> finitePoints(vtkPoints* points, vtkIdType& first)
+{
+  auto result = vtkSmartPointer<vtkPoints>::New();
+  result->SetDataType(points->GetDataType());
+  first = -1;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> point;
+    points->GetPoint(i, point.data());
+    if (isFinite(point))
+    {
+      result->InsertNextPoint(point.data());
+    }
+    else if (first < 0)
+    {
+      first = i;
+    }
+  }
+  return result;
+}
+}
+
+Input readInput(const std::string& file, bool dropInvalid)
 {
   checkReadable(file);
-  auto samples = vtkSmartPointer<vtkPolyData>::New();
-  samples->SetPoints(read(file, lowerCaseExtension(file)));
-  return samples;
+  const auto data = read(file, lowerCaseExtension(file));
+  if (!data || !data->GetPoints() || data->GetNumberOfPoints() == 0)
+  {
+    throw InputError(file + ": there are no points in it");
+  }
+  vtkPoints* points = data->GetPoints();
+  vtkIdType first = -1;
+  const auto finite = finitePoints(points, first);
+  Input input;
+  input.invalid = points->GetNumberOfPoints() - finite->GetNumberOfPoints();
+  if (input.invalid > 0 && !dropInvalid)
+  {
+    throw InputError(file + ": " + std::to_string(input.invalid) + " of " +
+      std::to_string(points->GetNumberOfPoints()) +
+      " points have a coordinate that is NaN or infinite, the first is point " +
+      std::to_string(first) + " (counted from 0); --drop-invalid leaves them out");
+  }
+  input.samples = vtkSmartPointer<vtkPolyData>::New();
+  input.samples->SetPoints(input.invalid > 0 ? finite.Get() : points);
+  return input;
 }

@@ -7,9 +7,16 @@
 
 #include <string>
 
-/// The points of a .ply .stl .obj .vtp .vtu .off or .xyz file, without cells.
+struct Input
+{
+  vtkSmartPointer<vtkPolyData> samples; ///< points without cells
+  vtkIdType invalid = 0; ///< points left out, because a coordinate is NaN or infinite
+};
+
+/// The points of a .ply .stl .obj .vtp .vtu .off or .xyz file.
 ///
-/// @throw InputError  the file can't be read; says why
-vtkSmartPointer<vtkPolyData> readPoints(const std::string& file);
+/// @param dropInvalid  leave points with a coordinate that is NaN or infinite out
+/// @throw InputError  the file can't be read, or has such points that must not be left out; says why
+Input readInput(const std::string& file, bool dropInvalid);
 
 #endif

@@ -1,167 +1,158 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadText.h"
 
-#include "Errors.h"
+#include "Lines.h"
+#include "Polygons.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
+#include <cctype>
 
 namespace
 {
-/// Reads a text file line by line and skips comments and empty lines.
-class Lines
-{
-public:
-  explicit Lines(const std::string& file)
-    : File(file)
-    , Stream(file, std::ios::binary)
-  {
-  }
-
-  /// Goes to the next line that is not empty; returns false at the end of the file.
-  bool next()
-  {
-    while (std::getline(this->Stream, this->Line))
-    {
-      ++this->Number;
-      this->Line.erase(std::min(this->Line.find('#'), this->Line.size()));
-      std::replace_if(
-        this->Line.begin(), this->Line.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
-      if (this->Line.find_first_not_of(" \t\r\f\v") != std::string::npos)
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  const std::string& line() const { return this->Line; }
-
-  /// The first three numbers of the line.
-  std::array<double, 3> numbers(const char* what) const
-  {
-    std::array<double, 3> values;
-    const char* at = this->Line.c_str();
-    for (double& value : values)
-    {
-      char* end = nullptr;
-      value = std::strtod(at, &end);
-      if (end == at || (*end != '\0' && !std::isspace(static_cast<unsigned char>(*end))))
-      {
-        throw this->error(std::string("expected ") + what + ", found '" + this->start() + "'");
-      }
-      at = end;
-    }
-    return values;
-  }
-
-  InputError error(const std::string& message) const
-  {
-    return InputError(this->File + ", line " + std::to_string(this->Number) + ": " + message);
-  }
-
-private:
-  /// The line as error messages show it.
-  std::string start() const
-  {
-    std::string text = this->Line.substr(0, 40);
-    std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, ' ');
-    text.erase(text.find_last_not_of(' ') + 1);
-    return text;
-  }
-
-  std::string File;
-  std::ifstream Stream;
-  std::string Line;
-  long Number = 0;
-};
-
-/// Checks the keyword of an .off file and removes it. The rest of the line has the counts or is empty.
-std::string withoutKeyword(const Lines& lines)
-{
-  std::istringstream words(lines.line());
-  std::string keyword;
-  words >> keyword;
-  const std::size_t size = keyword.size();
-  if (size < 3 || keyword.compare(size - 3, 3, "OFF") != 0 ||
-    keyword.find_first_not_of("STCNOF") != std::string::npos)
-  {
-    throw lines.error("not an .off file of points in space: it doesn't begin with OFF");
-  }
-  std::string rest;
-  std::getline(words, rest);
-  if (rest.find("BINARY") != std::string::npos)
-  {
-    throw lines.error("binary .off files can't be read; convert it to .ply or to ASCII");
-  }
-  return rest;
-}
-
-/// The number of points, which stands after the keyword or in the next line.
-vtkIdType readPointCount(Lines& lines)
+/// The words of an .off file's counts. They stand after the keyword or in the next line.
+/// @return  how many words of the line are before them
+std::size_t findCounts(Lines& lines)
 {
   if (!lines.next())
   {
     throw lines.error("the file is empty");
   }
-  double points = 0;
-  std::istringstream rest(withoutKeyword(lines));
-  if (!(rest >> points))
+  const std::string_view keyword = lines.words()[0];
+  const std::size_t size = keyword.size();
+  if (size < 3 || keyword.substr(size - 3) != "OFF" ||
+    keyword.find_first_not_of("STCNOF") != keyword.npos)
   {
-    if (!lines.next())
-    {
-      throw lines.error("the numbers of points, faces and edges are missing");
-    }
-    std::istringstream counts(lines.line());
-    counts >> points;
-    if (!counts)
-    {
-      points = -1;
-    }
+    throw lines.error("not an .off file of points in space: it doesn't begin with OFF");
   }
-  if (!(points >= 0 && points < 2147483647) || points != static_cast<vtkIdType>(points))
+  if (lines.words().size() > 1 && lines.words()[1] == "BINARY")
   {
-    throw lines.error("the number of points can't be read");
+    throw lines.error("binary .off files can't be read; convert it to .ply or to ASCII");
   }
-  return static_cast<vtkIdType>(points);
+  if (lines.words().size() > 1)
+  {
+    return 1;
+  }
+  if (!lines.next())
+  {
+    throw lines.error("the numbers of points, faces and edges are missing");
+  }
+  return 0;
 }
 
-vtkSmartPointer<vtkPoints> doublePoints()
+long long count(const Lines& lines, std::size_t place)
 {
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
-  return points;
-}
+  long long value = 0;
+  if (place < lines.words().size() && !parseWhole(lines.words()[place], value))
+  {
+    throw lines.unexpected("the numbers of points, faces and edges");
+  }
+  return value;
 }
 
-vtkSmartPointer<vtkPoints> readOff(const std::string& file)
+void nextOf(Lines& lines, long long i, long long count, const char* what)
 {
-  Lines lines(file);
-  const vtkIdType count = readPointCount(lines);
-  auto points = doublePoints();
-  for (vtkIdType i = 0; i < count; ++i)
+  if (!lines.next())
   {
-    if (!lines.next())
+    throw lines.error("the file ends after " + std::to_string(i) + " of " + std::to_string(count) +
+      what + "; it was cut, or its counts are wrong");
+  }
+}
+
+/// The corners of a face: their number, their indices; colours may follow.
+void takeFace(const Lines& lines, Polygons& polygons, long long points)
+{
+  long long corners = 0;
+  if (!parseWhole(lines.words()[0], corners) ||
+    corners >= static_cast<long long>(lines.words().size()))
+  {
+    throw lines.unexpected("the number of a face's corners and their indices");
+  }
+  polygons.begin();
+  for (long long k = 1; k <= corners; ++k)
+  {
+    long long index = 0;
+    if (!parseWhole(lines.words()[k], index) || index >= points)
     {
-      throw lines.error(
-        "the file ends after " + std::to_string(i) + " of " + std::to_string(count) + " points");
+      throw lines.unexpected(
+        "a face with indices of points from 0 to " + std::to_string(points - 1));
     }
-    points->InsertNextPoint(lines.numbers("x y z of a point").data());
+    polygons.add(index);
   }
-  return points;
+  polygons.end();
 }
 
-vtkSmartPointer<vtkPoints> readXyz(const std::string& file)
+/// Does it name the columns x y z, as in: x y z, "X","Y","Z", //X Y Z?
+bool namesColumns(const Lines& lines)
 {
-  Lines lines(file);
-  auto points = doublePoints();
-  while (lines.next())
+  std::string names;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, lines.words().size()); ++i)
   {
-    points->InsertNextPoint(lines.numbers("x y z").data());
+    for (const char c : lines.words()[i])
+    {
+      const char small = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      names += c == '"' || c == '\'' || c == '/' ? std::string() : std::string(1, small);
+    }
   }
-  return points;
+  return names == "xyz";
+}
+}
+
+vtkSmartPointer<vtkPolyData> readOff(const std::string& file)
+{
+  const std::string content = contentOf(file);
+  Lines lines(file, content, Lines::Columns);
+  const std::size_t first = findCounts(lines);
+  if (lines.words().size() == first)
+  {
+    throw lines.unexpected("the numbers of points, faces and edges");
+  }
+  const long long points = count(lines, first), faces = count(lines, first + 1);
+  Polygons polygons(VTK_DOUBLE);
+  for (long long i = 0; i < points; ++i)
+  {
+    nextOf(lines, i, points, " points");
+    polygons.addPoint(lines.point(0, "x y z of a point"));
+  }
+  for (long long i = 0; i < faces; ++i)
+  {
+    nextOf(lines, i, faces, " faces");
+    takeFace(lines, polygons, points);
+  }
+  if (lines.next())
+  {
+    throw lines.error("there are more lines than the " + std::to_string(points) + " points and " +
+      std::to_string(faces) + " faces that the file announces; correct its counts");
+  }
+  return polygons.take();
+}
+
+vtkSmartPointer<vtkPolyData> readXyz(const std::string& file)
+{
+  const std::string content = contentOf(file);
+  Lines lines(file, content, Lines::Columns);
+  Polygons polygons(VTK_DOUBLE);
+  bool more = lines.next();
+  long long count = -1;
+  const long first = lines.number();
+  if (more && lines.words().size() == 1 && parseWhole(lines.words()[0], count))
+  {
+    more = lines.next();
+  }
+  else if (more && namesColumns(lines))
+  {
+    more = lines.next();
+  }
+  for (; more; more = lines.next())
+  {
+    const bool isFirst = lines.number() == first; // perhaps a header
+    polygons.addPoint(lines.point(
+      0, isFirst ? "x y z (delete this line if it is a header over columns x y z)" : "x y z"));
+  }
+  if (count >= 0 && count != polygons.points())
+  {
+    throw InputError(file + ", line " + std::to_string(first) + ": announces " +
+      std::to_string(count) + " points, but " + std::to_string(polygons.points()) +
+      " follow; the file was cut, or the number is wrong: correct or delete it");
+  }
+  return polygons.take();
 }

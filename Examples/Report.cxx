@@ -3,6 +3,7 @@
 
 #include "Arguments.h"
 #include "Progress.h"
+#include "ReadPoints.h"
 #include "Tables.h"
 #include "Verdict.h"
 
@@ -233,7 +234,8 @@ std::string verdict(vtkSimplifyShape* simplify)
 }
 }
 
-std::string report(vtkSimplifyShape* simplify, const Progress& progress, double total)
+std::string report(
+  vtkSimplifyShape* simplify, const Input& input, const Progress& progress, double total)
 {
   vtkDataObject* samples = simplify->GetPolarBalls()->GetOutput();
   return "{\n  " +
@@ -241,6 +243,7 @@ std::string report(vtkSimplifyShape* simplify, const Progress& progress, double 
       {
         { "samples", number(fieldValue(samples, "NumberOfSamples")) },
         { "duplicates", number(fieldValue(samples, "NumberOfDuplicates")) },
+        { "invalid", number(double(input.invalid)) },
         { "balls", balls(simplify) },
         { "betti", betti(simplify) },
         { "certificate",
@@ -265,11 +268,14 @@ std::string report(vtkSimplifyShape* simplify, const Progress& progress, double 
     "\n}\n";
 }
 
-std::string summary(vtkSimplifyShape* simplify, const Arguments& arguments, double total)
+std::string summary(
+  vtkSimplifyShape* simplify, const Input& input, const Arguments& arguments, double total)
 {
   vtkDataObject* samples = simplify->GetPolarBalls()->GetOutput();
   std::ostringstream out;
-  out << arguments.input << ": " << grouped(fieldValue(samples, "NumberOfSamples")) << " samples\n"
+  out << arguments.input << ": " << grouped(fieldValue(samples, "NumberOfSamples")) << " samples"
+      << (input.invalid > 0 ? ", " + grouped(double(input.invalid)) + " invalid ones dropped" : "")
+      << "\n"
       << "  balls     " << grouped(fieldValue(samples, "NumberOfInnerBalls")) << " inner, "
       << grouped(fieldValue(samples, "NumberOfOuterBalls")) << " outer\n"
       << "  axis      " << grouped(simplify->GetMedialAxis()->GetOutput()->GetNumberOfPolys())

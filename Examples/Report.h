@@ -5,6 +5,7 @@
 #include <string>
 
 struct Arguments;
+struct Input;
 class Progress;
 class vtkSimplifyShape;
 
@@ -13,10 +14,12 @@ class vtkSimplifyShape;
 /// The text of report.json; README.md describes its keys.
 /// @param progress  has watched the stages
 /// @param total     seconds from the program's start to the end of the last stage
-std::string report(vtkSimplifyShape* simplify, const Progress& progress, double total);
+std::string report(
+  vtkSimplifyShape* simplify, const Input& input, const Progress& progress, double total);
 
 /// The few lines that are printed at the end.
-std::string summary(vtkSimplifyShape* simplify, const Arguments& arguments, double total);
+std::string summary(
+  vtkSimplifyShape* simplify, const Input& input, const Arguments& arguments, double total);
 
 /// A count with commas between thousands.
 std::string grouped(double count);

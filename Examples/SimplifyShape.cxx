@@ -35,7 +35,9 @@
 
 #include <chrono>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <new>
 
 namespace
 {
@@ -163,10 +165,10 @@ ExitCode simplify(const Arguments& arguments)
   {
     vtkSMPTools::Initialize(arguments.threads);
   }
-  auto samples = readPoints(arguments.input);
+  const Input input = readInput(arguments.input, arguments.dropInvalid);
   OutputFolder folder(arguments.output, arguments.input);
   vtkNew<vtkSimplifyShape> filter;
-  filter->SetInputData(samples);
+  filter->SetInputData(input.samples);
   setProperties(filter, arguments);
   Progress progress(arguments.quiet);
   watchStages(filter, progress);
@@ -176,13 +178,13 @@ ExitCode simplify(const Arguments& arguments)
   writeData(filter, folder);
   if (arguments.picture)
   {
-    drawPictures(stagesOf(filter, samples), folder);
+    drawPictures(stagesOf(filter, input.samples), folder);
   }
-  folder.writeText(report(filter, progress, total), "report.json");
+  folder.writeText(report(filter, input, progress, total), "report.json");
   folder.publish();
   if (!arguments.quiet)
   {
-    std::cout << summary(filter, arguments, total);
+    std::cout << summary(filter, input, arguments, total);
   }
   if (arguments.strict && !contradictions(filter).empty())
   {
@@ -217,7 +219,17 @@ int main(int argc, char* argv[])
   {
     return fail(error, WrongUsage);
   }
-  catch (const std::exception& error) // InputError, out of memory, ...
+  catch (const std::bad_alloc&)
+  {
+    return fail(InputError("there is not enough memory for this input; thin it out, or use a "
+                           "machine with more memory"),
+      UnusableInput);
+  }
+  catch (const std::filesystem::filesystem_error& error)
+  {
+    return fail(InputError(error.path1().string() + ": " + error.code().message()), UnusableInput);
+  }
+  catch (const std::exception& error) // InputError, ...
   {
     return fail(error, UnusableInput);
   }
