@@ -62,6 +62,14 @@ struct vtkMedialPrune::vtkAxis
   }
 };
 
+namespace
+{
+std::string text(const char* characters)
+{
+  return characters ? characters : "";
+}
+}
+
 vtkStandardNewMacro(vtkMedialPrune);
 
 vtkMedialPrune::vtkMedialPrune()
@@ -87,7 +95,7 @@ void vtkMedialPrune::SetSchedule(const char* words)
 {
   try
   {
-    std::vector<medial::PruneIteration> schedule = medial::parseSchedule(words ? words : "");
+    std::vector<medial::PruneIteration> schedule = medial::parseSchedule(text(words));
     if (this->Lists->Fault.empty() && schedule == this->Lists->Schedule)
     {
       return;
@@ -116,13 +124,20 @@ void vtkMedialPrune::AddIteration(int measure, double threshold, int passes)
     this->RefuseSchedule(medial::noMeasure(std::to_string(measure)));
     return;
   }
-  this->Lists->Schedule.push_back({ traits->measure, threshold, std::max(0, passes), false });
+  const medial::PruneIteration iteration{ traits->measure, threshold, passes, false };
+  const std::string fault = medial::faultOf(iteration);
+  if (!fault.empty())
+  {
+    this->RefuseSchedule(fault);
+    return;
+  }
+  this->Lists->Schedule.push_back(iteration);
   this->Modified();
 }
 
 void vtkMedialPrune::AddIterationByName(const char* measure, double threshold, int passes)
 {
-  const std::string name = measure ? measure : "";
+  const std::string name = text(measure);
   const medial::MeasureTraits* traits = medial::findMeasure(name);
   if (!traits)
   {
@@ -130,6 +145,35 @@ void vtkMedialPrune::AddIterationByName(const char* measure, double threshold, i
     return;
   }
   this->AddIteration(static_cast<int>(traits->measure), threshold, passes);
+}
+
+void vtkMedialPrune::AddIterationFromText(
+  const char* measure, const char* threshold, const char* passes)
+{
+  try
+  {
+    this->Lists->Schedule.push_back(
+      medial::parseIteration(text(measure), text(threshold), text(passes)));
+    this->Modified();
+  }
+  catch (const medial::InvalidInput& error)
+  {
+    this->RefuseSchedule(error.what());
+  }
+}
+
+std::string vtkMedialPrune::GetIterationFault(
+  const char* measure, const char* threshold, const char* passes)
+{
+  try
+  {
+    medial::parseIteration(text(measure), text(threshold), text(passes));
+    return "";
+  }
+  catch (const medial::InvalidInput& error)
+  {
+    return error.what();
+  }
 }
 
 void vtkMedialPrune::RefuseSchedule(const std::string& fault)

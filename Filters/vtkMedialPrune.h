@@ -114,7 +114,9 @@ public:
    * The same one iteration after another. An iteration removes parts whose measure is at most the
    * threshold, and repeats that `passes` times, or until nothing changes where passes is 0. Thresholds
    * are in the unit of the measure, shares of the volume 0 ... 1. Clear the default schedule before
-   * adding your own iterations.
+   * adding your own iterations. A measure that there isn't, a threshold that is negative, not finite or
+   * above what the unit allows (a share above 1, an angle above 180), and a negative number of passes
+   * are errors, here and whenever the filter runs by this schedule.
    */
   void ClearIterations();
   void AddIteration(int measure, double threshold, int passes = 0);
@@ -135,10 +137,20 @@ public:
   ///@}
 
   /**
-   * AddIteration for a measure by its name. Where there is no such measure that is an error, here and
-   * whenever the filter runs by this schedule.
+   * AddIteration for a measure by its name.
    */
   void AddIterationByName(const char* measure, double threshold, int passes = 0);
+
+  ///@{
+  /**
+   * The same from what people type: a threshold such as 0.05 or 5e-2, a whole number of passes. Other
+   * texts, such as "0,05" or none, are an error; they are never taken for another number.
+   * GetIterationFault tells, without an iteration, what is wrong with one in three texts; "": nothing.
+   */
+  void AddIterationFromText(const char* measure, const char* threshold, const char* passes);
+  static std::string GetIterationFault(
+    const char* measure, const char* threshold, const char* passes);
+  ///@}
 
   ///@{
   /**

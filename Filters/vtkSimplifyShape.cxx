@@ -61,6 +61,12 @@ void vtkSimplifyShape::AddIterationByName(const char* measure, double threshold,
   this->Prune->AddIterationByName(measure, threshold, passes);
 }
 
+void vtkSimplifyShape::AddIterationFromText(
+  const char* measure, const char* threshold, const char* passes)
+{
+  this->Prune->AddIterationFromText(measure, threshold, passes);
+}
+
 void vtkSimplifyShape::SetAutomatic(bool automatic)
 {
   this->Prune->SetAutomatic(automatic);
@@ -144,7 +150,7 @@ vtkPowerCrust* vtkSimplifyShape::GetUnprunedPowerCrust()
 const char* vtkSimplifyShape::GetErrorMessage()
 {
   const char* message = medial::errorMessage(this);
-  return *message ? message : medial::errorMessage(this->Prune); // of a measure that it refused
+  return *message ? message : medial::errorMessage(this->Prune); // of an iteration that it refused
 }
 
 vtkMTimeType vtkSimplifyShape::GetMTime()

@@ -59,6 +59,7 @@ public:
   void ClearIterations();
   void AddIteration(int measure, double threshold, int passes = 0);
   void AddIterationByName(const char* measure, double threshold, int passes = 0);
+  void AddIterationFromText(const char* measure, const char* threshold, const char* passes);
   ///@}
 
   ///@{
@@ -117,8 +118,7 @@ public:
   ///@}
 
   /**
-   * Why the last update failed, or why AddIteration() or AddIterationByName() refused a measure: the
-   * message without VTK's file, line and object. Empty if there was no error.
+   * Why the last update failed, or why AddIteration() and its like refused an iteration: the message without VTK's file, line and object. Empty if there was no error.
    */
   const char* GetErrorMessage();
 

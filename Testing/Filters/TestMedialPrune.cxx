@@ -216,6 +216,41 @@ TEST(MedialPrune, RefusesThresholdsThatAreNegativeOrNoNumbers)
   }
 }
 
+TEST(MedialPrune, RefusesWhatNoPartCanReach)
+{
+  vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
+  const filterTest::ErrorLog log(filter);
+  filter->AddIteration(vtkMedialPrune::RELATIVE_VOLUME, 5000);
+  filter->AddIterationByName("ObjectAngle", 181);
+  filter->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, 5, -1);
+  ASSERT_EQ(log.messages().size(), 3u);
+  EXPECT_NE(log.messages()[0].find("no more than 100% of the volume"), std::string::npos);
+  EXPECT_NE(log.messages()[1].find("above 180"), std::string::npos);
+  EXPECT_NE(log.messages()[2].find("passes -1"), std::string::npos);
+  EXPECT_EQ(filter->GetNumberOfIterations(), 0);
+}
+
+TEST(MedialPrune, TakesIterationsFromTexts)
+{
+  vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
+  filter->AddIterationFromText("RelativeVolume", "0.05", "2");
+  EXPECT_EQ(filter->GetScheduleWords(), "v5%x2");
+  EXPECT_EQ(vtkMedialPrune::GetIterationFault("RelativeVolume", "0.05", "2"), "");
+  for (const char* threshold : { "0,05", "abc", "", "5000", "-1", "nan" })
+  {
+    vtkSmartPointer<vtkMedialPrune> other = pruneBox();
+    const filterTest::ErrorLog log(other);
+    other->AddIterationFromText("RelativeVolume", threshold, "0");
+    ASSERT_EQ(log.messages().size(), 1u) << threshold;
+    const std::string fault = vtkMedialPrune::GetIterationFault("RelativeVolume", threshold, "0");
+    EXPECT_NE(fault.find("threshold"), std::string::npos) << fault;
+    EXPECT_NE(log.messages()[0].find(fault), std::string::npos);
+    EXPECT_EQ(other->GetNumberOfIterations(), 0);
+    EXPECT_NE(onlyError(other).find(fault), std::string::npos);
+  }
+  EXPECT_NE(vtkMedialPrune::GetIterationFault(nullptr, nullptr, nullptr), "");
+}
+
 TEST(MedialPrune, RefusesAMeasureThatItDoesNotKnow)
 {
   vtkSmartPointer<vtkMedialPrune> filter = pruneBox();

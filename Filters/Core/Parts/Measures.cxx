@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 namespace medial
@@ -315,6 +316,19 @@ const char* unitName(Unit unit)
       return "degrees";
   }
   return "";
+}
+
+double largestThreshold(Unit unit)
+{
+  switch (unit)
+  {
+    case Unit::Share:
+      return 1;
+    case Unit::Degrees:
+      return 180;
+    default:
+      return std::numeric_limits<double>::max();
+  }
 }
 
 std::string noMeasure(const std::string& measure)

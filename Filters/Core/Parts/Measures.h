@@ -100,6 +100,10 @@ const MeasureTraits* findMeasure(const std::string& name);
 /// The words for a unit: count, share of the volume, length, area, degrees.
 const char* unitName(Unit unit);
 
+/// No part has a value of a measure with this unit above this, so a larger threshold is a mistake: 1 for
+/// a share, 180 for degrees, else the largest number.
+double largestThreshold(Unit unit);
+
 /// That there is no such measure, and which there are.
 std::string noMeasure(const std::string& measure);
 

@@ -26,12 +26,13 @@ namespace
 {
 void requireValid(const MedialAxis& axis, const PruneOptions& options)
 {
-  for (const PruneIteration& iteration : options.schedule)
+  for (std::size_t i = 0; i < options.schedule.size(); ++i)
   {
-    if (!(iteration.threshold >= 0) || iteration.passes < 0)
+    const std::string fault = faultOf(options.schedule[i]);
+    if (!fault.empty())
     {
-      throw InvalidInput("a threshold or a number of passes of the pruning schedule is negative or "
-                         "not a number; give thresholds of 0 and more (volumes: 0 ... 1)");
+      throw InvalidInput("iteration ", i + 1, " of the pruning schedule can't be made: ", fault,
+        "; give thresholds of 0 and more (volumes: 0 ... 1)");
     }
   }
   if (!(options.neckRatio >= 0 && options.neckRatio <= 1))

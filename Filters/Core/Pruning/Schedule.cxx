@@ -53,6 +53,35 @@ double parseDecimal(const std::string& digits, bool isPercent)
   return value;
 }
 
+/// The whole text as a number, which must be there; independent of the locale.
+template <typename Number>
+bool isNumber(const std::string& text, Number& value)
+{
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+/// The fewest digits that are read as this number again.
+std::string shortest(double value)
+{
+  char buffer[64];
+  return { buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr };
+}
+
+std::string withoutBlanks(const std::string& text)
+{
+  constexpr const char* blanks = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(blanks);
+  return begin == std::string::npos ? ""
+                                    : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
+}
+
+/// The threshold '0.05' of RelativeVolume.
+std::string thresholdOf(const MeasureTraits& traits, const std::string& threshold)
+{
+  return "the threshold '" + threshold + "' of " + traits.name;
+}
+
 /// The number of passes after an x at the end of a word, which is cut off; 0 without.
 int takePasses(std::string& word)
 {
@@ -111,9 +140,10 @@ PruneIteration parseWord(std::string word)
   {
     throw Fault{ "a count is a whole number" };
   }
-  if (traits.unit == Unit::Share && result.threshold > 1)
+  const std::string fault = faultOf(result);
+  if (!fault.empty())
   {
-    throw Fault{ "there is no more than 100% of the volume" };
+    throw Fault{ fault };
   }
   return result;
 }
@@ -192,6 +222,57 @@ std::vector<PruneIteration> parseSchedule(const std::string& words)
     }
   }
   return schedule;
+}
+
+PruneIteration parseIteration(
+  const std::string& measure, const std::string& threshold, const std::string& passes)
+{
+  const MeasureTraits* traits = findMeasure(measure);
+  if (!traits)
+  {
+    throw InvalidInput(noMeasure("'" + measure + "'"));
+  }
+  PruneIteration result{ traits->measure, 0, 0, false };
+  if (!isNumber(withoutBlanks(threshold), result.threshold))
+  {
+    throw InvalidInput(thresholdOf(*traits, threshold), " is not a number: write ",
+      traits->unit == Unit::Share ? "0.05 for 5% of the volume" : "it with a point, as in 2.5");
+  }
+  if (!isNumber(withoutBlanks(passes), result.passes))
+  {
+    throw InvalidInput("the number of passes '", passes,
+      "' is not a whole number: write 1, or 0 for ", "until nothing changes");
+  }
+  const std::string fault = faultOf(result);
+  if (!fault.empty())
+  {
+    throw InvalidInput(fault);
+  }
+  return result;
+}
+
+std::string faultOf(const PruneIteration& iteration)
+{
+  const MeasureTraits& traits = traitsOf(iteration.measure);
+  const std::string threshold = thresholdOf(traits, shortest(iteration.threshold));
+  const double largest = largestThreshold(traits.unit);
+  if (!std::isfinite(iteration.threshold))
+  {
+    return threshold + " is not a finite number";
+  }
+  if (iteration.threshold < 0)
+  {
+    return threshold + " is negative";
+  }
+  if (iteration.threshold > largest)
+  {
+    return threshold + " is above " + shortest(largest) +
+      (traits.unit == Unit::Share ? ", and there is no more than 100% of the volume"
+                                  : ", and no part has more");
+  }
+  return iteration.passes < 0
+    ? "the number of passes " + std::to_string(iteration.passes) + " is negative"
+    : "";
 }
 
 std::string shortWord(const PruneIteration& iteration)

@@ -38,9 +38,22 @@ bool operator==(const PruneIteration& a, const PruneIteration& b);
 /// @throw InvalidInput  which word is wrong, what is wrong with it, and how to write it
 std::vector<PruneIteration> parseSchedule(const std::string& words);
 
+/// One iteration from three texts, as a table for people to fill in gives them. No text is ever taken
+/// for another number than it shows: "0,05", "5 %" and "" are errors.
+/// @param measure    a name: TriangleCount
+/// @param threshold  a number in the measure's unit, shares 0 ... 1: 5, 0.05 or 5e-2
+/// @param passes     a whole number; 0: until nothing changes
+/// @throw InvalidInput  which of the three is wrong, and how to write it
+PruneIteration parseIteration(
+  const std::string& measure, const std::string& threshold, const std::string& passes);
+
+/// What is wrong with the numbers of an iteration: a threshold that is no finite number, negative, or
+/// above all values of its measure (see largestThreshold); a negative number of passes. Empty: nothing.
+std::string faultOf(const PruneIteration& iteration);
+
 /// The inverse of parseSchedule: reading its result gives the same schedule, thresholds to the last bit
 /// (those of counts rounded down, which removes the same parts).
-/// @param schedule  valid: thresholds >= 0, shares <= 1
+/// @param schedule  valid: faultOf says nothing
 std::string scheduleWords(const std::vector<PruneIteration>& schedule);
 
 /// The word of one iteration with its threshold to three digits, for people.

@@ -35,6 +35,21 @@ std::string refusal(const std::string& words)
   return "";
 }
 
+/// What is said about an iteration in three texts that can't be read.
+std::string refusal(
+  const std::string& measure, const std::string& threshold, const std::string& passes = "0")
+{
+  try
+  {
+    medial::parseIteration(measure, threshold, passes);
+  }
+  catch (const medial::InvalidInput& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
 bool contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
@@ -89,9 +104,9 @@ TEST(Schedule, IsTheSameAfterItWasWrittenAndRead)
     {
       iteration.threshold = std::floor(iteration.threshold);
     }
-    if (traits.unit == Unit::Share)
+    if (traits.unit == Unit::Share || traits.unit == Unit::Degrees)
     {
-      iteration.threshold = random() / 4294967296.0;
+      iteration.threshold = random() / 4294967296.0 * medial::largestThreshold(traits.unit);
     }
     schedule.push_back(iteration);
   }
@@ -145,4 +160,55 @@ TEST(Schedule, RefusesWhatIsNoPlainNumber)
   {
     EXPECT_TRUE(contains(refusal(word), "'" + std::string(word) + "'")) << word;
   }
+}
+
+TEST(Schedule, ReadsAnIterationFromThreeTexts)
+{
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    EXPECT_EQ(medial::parseIteration(traits.name, " 0.05 ", "2"),
+      (PruneIteration{ traits.measure, 0.05, 2, false }));
+    EXPECT_EQ(medial::parseIteration(traits.name, "5e-2", "0"),
+      (PruneIteration{ traits.measure, 0.05, 0, false }));
+  }
+}
+
+TEST(Schedule, NeverTakesATextForAnotherNumber)
+{
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    for (const char* threshold : { "0,05", "abc", "", " ", "5 %", "1.2.3", "1,000", "0x10", "5t",
+           "nan", "inf", "-inf", "-1", "-1e-300", "1e400" })
+    {
+      const std::string text = refusal(traits.name, threshold);
+      EXPECT_TRUE(contains(text, "threshold")) << traits.name << threshold << text;
+      EXPECT_TRUE(contains(text, traits.name)) << text;
+    }
+    for (const char* passes : { "", "abc", "-1", "1.5", "1,5", "2147483648", "0x1", "nan" })
+    {
+      EXPECT_TRUE(contains(refusal(traits.name, "0.5", passes), "number of passes")) << passes;
+    }
+  }
+  EXPECT_TRUE(contains(refusal("RelativeVolume", "0,05"), "0.05"));
+  EXPECT_TRUE(contains(refusal("Beauty", "5"), "no measure 'Beauty'"));
+}
+
+TEST(Schedule, RefusesThresholdsAboveAllValues)
+{
+  for (const MeasureTraits& traits : allMeasures())
+  {
+    const double largest = medial::largestThreshold(traits.unit);
+    const PruneIteration all{ traits.measure, largest, 0, false };
+    EXPECT_EQ(medial::faultOf(all), "");
+    const bool isLimited = traits.unit == Unit::Share || traits.unit == Unit::Degrees;
+    EXPECT_EQ(isLimited, largest < 1e9) << traits.name;
+    for (const double above : { std::nextafter(largest, 1e9), 5000. })
+    {
+      const bool isRefused = !medial::faultOf({ traits.measure, above, 0, false }).empty();
+      EXPECT_EQ(isRefused, isLimited) << traits.name << above;
+    }
+  }
+  EXPECT_TRUE(contains(refusal("RelativeVolume", "5000"), "'5000'"));
+  EXPECT_TRUE(contains(refusal("RelativeVolume", "5000"), "no more than 100% of the volume"));
+  EXPECT_TRUE(contains(refusal("o181"), "is above 180"));
 }
