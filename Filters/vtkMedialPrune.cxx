@@ -9,6 +9,7 @@
 #include "Pipeline/ReportErrors.h"
 #include "Pruning/RemovalByHand.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
@@ -44,6 +45,7 @@ struct vtkMedialPrune::vtkLists
 /// The last input, read and prepared: kept for the next threshold, until it changes.
 struct vtkMedialPrune::vtkAxis
 {
+  vtkWeakPointer<vtkCompositeDataSet> Collection; ///< that the input is, or was last
   vtkWeakPointer<vtkPolyData> Input;
   vtkMTimeType Time = 0;
   std::unique_ptr<medial::PrunableAxis> Prepared;
@@ -318,6 +320,11 @@ int vtkMedialPrune::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkMedialPrune::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  // Once, and then for each block, which stands in the place of the collection.
+  if (vtkCompositeDataSet* collection = vtkCompositeDataSet::GetData(inputVector[0]))
+  {
+    this->Axis->Collection = collection;
+  }
   return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 
@@ -338,7 +345,8 @@ int vtkMedialPrune::RequestData(
       }
       std::vector<vtkIdType>& cells =
         this->SelectionRole == REMOVE ? lists.CellsToRemove : lists.CellsToProtect;
-      const std::vector<vtkIdType> selected = medial::selectedCells(selection, axis);
+      const vtkIdType block = medial::blockOf(axis, this->Axis->Collection);
+      const std::vector<vtkIdType> selected = medial::selectedCells(selection, axis, block);
       cells.insert(cells.end(), selected.begin(), selected.end());
       medial::PruneOptions options;
       options.schedule = lists.Schedule;

@@ -18,7 +18,8 @@
  *
  * Input 1: vtkSelection, optional: cells of input 0, or points, which stand for the cells there. The
  * parts that hold them are removed by hand or protected, see SelectionRole. Indices, values and
- * thresholds of an array, ids, locations and frusta can be used; queries can't.
+ * thresholds of an array, ids, locations and frusta can be used; queries can't. Ids are those of input
+ * 0, as everywhere. In a collection, what was selected in one block is removed there only.
  *
  * Output 0: vtkPolyData, the living cells on all points of the input: ids of points stay. Arrays of
  * the input are passed on; the cell data of vtkMedialPartDecomposition, `PartId`, `PartLevel` and all
@@ -27,6 +28,8 @@
  *  - `KeepReason` (unsigned char): why the cell's part is still there. 0 its significance is above
  *    the last threshold, together with what went from it; 1 topology; 2 not of level 1; 3 a whole
  *    component of the axis; 4 protected.
+ *  - `InputCell` (vtkIdType): the cell of the input that it is. Cells to remove and to protect, and
+ *    selections, are of the input; this array leads there from cells that were chosen here.
  *
  * Output 1: vtkTable, one row for each iteration, and one more where something was removed by hand:
  * `Iteration` (vtkIdType, from 0), `Word` (string; its word in a schedule to three digits, or "by
@@ -41,6 +44,7 @@
  * Output 2: vtkPolyData, the removed cells on the same points, with their arrays from the input and
  *  - `Iteration` (vtkIdType): the row of the history.
  *  - `PartId` (vtkIdType): their part in that iteration.
+ *  - `InputCell` (vtkIdType): the cell of the input.
  *
  * One warning lists the parts that were to be removed by hand and were not, with the reason: needed
  * for the topology, a whole piece of the axis, protected, or already gone.

@@ -86,6 +86,7 @@ constexpr const char* Degree = "Degree";
 
 // vtkMedialPrune: cells
 constexpr const char* KeepReason = "KeepReason";
+constexpr const char* InputCell = "InputCell"; // and of what was removed
 // ... cells of what was removed, and column of the history
 constexpr const char* Iteration = "Iteration";
 // ... columns of the history

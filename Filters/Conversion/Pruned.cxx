@@ -117,6 +117,7 @@ void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTabl
   addTopology(output->GetFieldData(), pruned.axis);
   add<vtkUnsignedCharArray>(own, names::KeepReason, pruned.parts.partOfCell,
     [&](Index part) { return pruned.keepReason[part]; });
+  add<vtkIdTypeArray>(own, names::InputCell, pruned.inputCell);
   copyCells(axis, pruned.inputCell, own, output);
   addHistory(history->GetRowData(), pruned.history);
 
@@ -133,6 +134,7 @@ void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTabl
     when, names::Iteration, cells, [&](Index cell) { return pruned.removedInIteration[cell]; });
   add<vtkIdTypeArray>(
     when, names::PartId, cells, [&](Index cell) { return pruned.removedPart[cell]; });
+  add<vtkIdTypeArray>(when, names::InputCell, cells);
   when->SetActiveScalars(names::PartId);
   copyCells(axis, cells, when, removed);
 }

@@ -4,6 +4,8 @@
 #include "Base/Errors.h"
 
 #include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkExtractSelection.h"
 #include "vtkInformation.h"
@@ -12,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -89,6 +92,12 @@ void requireUsable(vtkSelectionNode* node, vtkPolyData* axis)
                                     : axis->GetPointData());
 }
 
+bool isOfAnotherBlock(vtkInformation* properties, vtkIdType block)
+{
+  vtkInformationIntegerKey* key = vtkSelectionNode::COMPOSITE_INDEX();
+  return block != Alone && properties->Has(key) && properties->Get(key) != block;
+}
+
 /// The axis is one piece of its own; a point stands for its cells.
 void adapt(vtkInformation* properties, bool isOfPoints)
 {
@@ -105,7 +114,7 @@ void adapt(vtkInformation* properties, bool isOfPoints)
 }
 }
 
-std::vector<vtkIdType> selectedCells(vtkSelection* selection, vtkPolyData* axis)
+std::vector<vtkIdType> selectedCells(vtkSelection* selection, vtkPolyData* axis, vtkIdType block)
 {
   if (!selection || selection->GetNumberOfNodes() == 0)
   {
@@ -117,6 +126,10 @@ std::vector<vtkIdType> selectedCells(vtkSelection* selection, vtkPolyData* axis)
   {
     vtkSelectionNode* node = adapted->GetNode(i);
     requireUsable(node, axis);
+    if (isOfAnotherBlock(node->GetProperties(), block))
+    {
+      node->GetSelectionList()->Reset(); // it is part of the expression
+    }
     adapt(node->GetProperties(), node->GetFieldType() == vtkSelectionNode::POINT);
   }
   vtkNew<vtkPolyData> cells;
@@ -142,5 +155,23 @@ std::vector<vtkIdType> selectedCells(vtkSelection* selection, vtkPolyData* axis)
     }
   }
   return result;
+}
+
+vtkIdType blockOf(vtkPolyData* axis, vtkCompositeDataSet* collection)
+{
+  if (!collection)
+  {
+    return Alone;
+  }
+  vtkSmartPointer<vtkCompositeDataIterator> blocks;
+  blocks.TakeReference(collection->NewIterator());
+  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+  {
+    if (blocks->GetCurrentDataObject() == axis)
+    {
+      return blocks->GetCurrentFlatIndex();
+    }
+  }
+  return Alone;
 }
 }

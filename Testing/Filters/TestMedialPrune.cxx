@@ -9,7 +9,6 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -36,6 +35,7 @@ TEST(MedialPrune, HasTheArraysOfItsHeader)
   EXPECT_EQ(arrays(pruned->GetFieldData()), arrays(parts->GetFieldData()));
   std::vector<std::string> expected = arrays(parts->GetCellData());
   expected.emplace_back("KeepReason unsigned char 1");
+  expected.emplace_back("InputCell idtype 1");
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(arrays(pruned->GetCellData()), expected);
 }
@@ -54,10 +54,40 @@ TEST(MedialPrune, HasTheArraysOfItsHeaderOnWhatItRemoved)
 {
   vtkPolyData* cells = removed(boxPipeline().prune);
   std::vector<std::string> expected = arrays(boxPipeline().parts->GetOutput()->GetCellData());
+  expected.emplace_back("InputCell idtype 1");
   expected.emplace_back("Iteration idtype 1");
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(arrays(cells->GetCellData()), expected);
   EXPECT_GT(cells->GetNumberOfCells(), 0);
+}
+
+/// Does `InputCell` of each cell lead to the input's cell with the same corners?
+void expectInputCells(vtkPolyData* output, vtkPolyData* input)
+{
+  vtkDataArray* cells = output->GetCellData()->GetArray("InputCell");
+  ASSERT_TRUE(cells);
+  vtkNew<vtkIdList> here, there;
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    output->GetCellPoints(cell, here);
+    input->GetCellPoints(static_cast<vtkIdType>(cells->GetComponent(cell, 0)), there);
+    ASSERT_EQ(here->GetNumberOfIds(), there->GetNumberOfIds());
+    EXPECT_TRUE(std::equal(here->begin(), here->end(), there->begin()));
+  }
+}
+
+TEST(MedialPrune, LeadsFromEachCellToThatOfTheInput)
+{
+  vtkMedialPrune* first = boxPipeline().prune;
+  expectInputCells(first->GetOutput(), boxPipeline().parts->GetOutput());
+  expectInputCells(removed(first), boxPipeline().parts->GetOutput());
+  vtkNew<vtkMedialPrune> second; // its input has such an array of its own
+  second->SetInputConnection(first->GetOutputPort());
+  second->SetSchedule("v5%");
+  second->Update();
+  ASSERT_GT(removed(second)->GetNumberOfCells(), 0);
+  expectInputCells(second->GetOutput(), first->GetOutput());
+  expectInputCells(removed(second), first->GetOutput());
 }
 
 TEST(MedialPrune, NeverRenumbersPoints)
@@ -153,6 +183,7 @@ TEST(MedialPrune, RemovesNothingWithoutASchedule)
   EXPECT_EQ(removed(filter)->GetNumberOfCells(), 0);
   EXPECT_EQ(history(filter)->GetNumberOfRows(), 0);
   filter->GetOutput()->GetCellData()->RemoveArray("KeepReason");
+  filter->GetOutput()->GetCellData()->RemoveArray("InputCell");
   EXPECT_TRUE(same(filter->GetOutput(), boxPipeline().parts->GetOutput()));
 }
 
@@ -174,7 +205,15 @@ TEST(MedialPrune, GoesOnWhereItStopped)
   second->ClearIterations();
   second->AddIteration(vtkMedialPrune::RELATIVE_VOLUME, 0.01);
   second->Update();
-  EXPECT_TRUE(same(second->GetOutput(), boxPipeline().prune->GetOutput()));
+  const auto resumed = filterTest::copy<vtkPolyData>(second->GetOutput());
+  const auto begun = first->GetOutput()->GetCellData()->GetArray("InputCell");
+  const auto cells = resumed->GetCellData()->GetArray("InputCell");
+  for (vtkIdType i = 0; i < cells->GetNumberOfTuples(); ++i)
+  {
+    const auto cell = static_cast<vtkIdType>(cells->GetComponent(i, 0));
+    cells->SetComponent(i, 0, begun->GetComponent(cell, 0)); // of the input of the first
+  }
+  EXPECT_TRUE(same(resumed, boxPipeline().prune->GetOutput()));
 }
 
 TEST(MedialPrune, AutomaticallyLeavesTheScheduleAlone)
@@ -205,62 +244,6 @@ TEST(MedialPrune, KeepsTheBettiNumbers)
   EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
-TEST(MedialPrune, RefusesThresholdsThatAreNegativeOrNoNumbers)
-{
-  for (const double threshold : { -1., std::numeric_limits<double>::quiet_NaN() })
-  {
-    vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
-    filter->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, threshold);
-    const std::string error = onlyError(filter);
-    EXPECT_NE(error.find("threshold"), std::string::npos) << error;
-  }
-}
-
-TEST(MedialPrune, RefusesWhatNoPartCanReach)
-{
-  vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
-  const filterTest::ErrorLog log(filter);
-  filter->AddIteration(vtkMedialPrune::RELATIVE_VOLUME, 5000);
-  filter->AddIterationByName("ObjectAngle", 181);
-  filter->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, 5, -1);
-  ASSERT_EQ(log.messages().size(), 3u);
-  EXPECT_NE(log.messages()[0].find("no more than 100% of the volume"), std::string::npos);
-  EXPECT_NE(log.messages()[1].find("above 180"), std::string::npos);
-  EXPECT_NE(log.messages()[2].find("passes -1"), std::string::npos);
-  EXPECT_EQ(filter->GetNumberOfIterations(), 0);
-}
-
-TEST(MedialPrune, TakesIterationsFromTexts)
-{
-  vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
-  filter->AddIterationFromText("RelativeVolume", "0.05", "2");
-  EXPECT_EQ(filter->GetScheduleWords(), "v5%x2");
-  EXPECT_EQ(vtkMedialPrune::GetIterationFault("RelativeVolume", "0.05", "2"), "");
-  for (const char* threshold : { "0,05", "abc", "", "5000", "-1", "nan" })
-  {
-    vtkSmartPointer<vtkMedialPrune> other = pruneBox();
-    const filterTest::ErrorLog log(other);
-    other->AddIterationFromText("RelativeVolume", threshold, "0");
-    ASSERT_EQ(log.messages().size(), 1u) << threshold;
-    const std::string fault = vtkMedialPrune::GetIterationFault("RelativeVolume", threshold, "0");
-    EXPECT_NE(fault.find("threshold"), std::string::npos) << fault;
-    EXPECT_NE(log.messages()[0].find(fault), std::string::npos);
-    EXPECT_EQ(other->GetNumberOfIterations(), 0);
-    EXPECT_NE(onlyError(other).find(fault), std::string::npos);
-  }
-  EXPECT_NE(vtkMedialPrune::GetIterationFault(nullptr, nullptr, nullptr), "");
-}
-
-TEST(MedialPrune, RefusesAMeasureThatItDoesNotKnow)
-{
-  vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
-  const filterTest::ErrorLog log(filter);
-  filter->AddIteration(77, 5);
-  ASSERT_EQ(log.messages().size(), 1u);
-  EXPECT_NE(log.messages()[0].find("there is no measure 77"), std::string::npos);
-  EXPECT_EQ(filter->GetNumberOfIterations(), 0);
-}
-
 TEST(MedialPrune, DescribesItsProperties)
 {
   std::ostringstream text;
@@ -271,38 +254,6 @@ TEST(MedialPrune, DescribesItsProperties)
   {
     EXPECT_NE(text.str().find(word), std::string::npos) << word;
   }
-}
-
-TEST(MedialPrune, TakesAScheduleInWords)
-{
-  vtkNew<vtkMedialPrune> prune;
-  EXPECT_EQ(prune->GetScheduleWords(), "t5 t5 v1%");
-  const vtkMTimeType before = prune->GetMTime();
-  prune->SetSchedule("t5, t5 v1%");
-  EXPECT_EQ(prune->GetMTime(), before);
-  prune->SetSchedule("a0.5x2 r3%");
-  EXPECT_GT(prune->GetMTime(), before);
-  ASSERT_EQ(prune->GetNumberOfIterations(), 2);
-  EXPECT_EQ(prune->GetIterationMeasure(0), vtkMedialPrune::AREA);
-  EXPECT_EQ(prune->GetIterationThreshold(0), 0.5);
-  EXPECT_EQ(prune->GetIterationPasses(0), 2);
-  EXPECT_EQ(prune->GetScheduleWords(), "a0.5x2 r3%");
-  prune->SetSchedule(nullptr);
-  EXPECT_EQ(prune->GetNumberOfIterations(), 0);
-}
-
-TEST(MedialPrune, TellsTheWordsInItsHistory)
-{
-  vtkNew<vtkMedialPrune> prune;
-  prune->SetInputConnection(boxPipeline().parts->GetOutputPort());
-  prune->SetSchedule("t5 v0.01%x1");
-  prune->AddCellToRemove(0);
-  prune->Update();
-  vtkTable* rows = history(prune);
-  ASSERT_EQ(rows->GetNumberOfRows(), 3);
-  EXPECT_EQ(rows->GetValueByName(0, "Word").ToString(), "t5");
-  EXPECT_EQ(rows->GetValueByName(1, "Word").ToString(), "v0.01%");
-  EXPECT_EQ(rows->GetValueByName(2, "Word").ToString(), "by hand");
 }
 
 TEST(MedialPrune, KnowsTheDiagonalOfTheSamples)

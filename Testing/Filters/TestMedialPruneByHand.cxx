@@ -8,6 +8,7 @@
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
 
@@ -238,6 +239,36 @@ TEST(MedialPrune, RemovesThePartsInASelectedFrustum)
   ASSERT_GT(expected, 0);
   ASSERT_LT(expected, parts->GetNumberOfCells());
   EXPECT_EQ(removedWith(selectionOf({ node.Get() })), expected);
+}
+
+TEST(MedialPrune, RemovesInACollectionOnlyWhatIsSelectedInTheBlock)
+{
+  vtkPolyData* parts = boxPipeline().parts->GetOutput();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, filterTest::copy<vtkPolyData>(parts));
+  blocks->SetBlock(1, filterTest::copy<vtkPolyData>(parts));
+  using Node = vtkSelectionNode;
+  const auto first = selectionNode(Node::INDICES, Node::CELL, { 0 });
+  const auto second = selectionNode(Node::INDICES, Node::CELL, { 100 });
+  first->GetProperties()->Set(Node::COMPOSITE_INDEX(), 1);
+  second->GetProperties()->Set(Node::COMPOSITE_INDEX(), 2);
+  const double a = partOf(0), b = partOf(100);
+  ASSERT_NE(a, b);
+  vtkSmartPointer<vtkMedialPrune> filter = pruneBox();
+  filter->SetTopologyToNone();
+  filter->SetInputDataObject(0, blocks);
+  filter->SetInputData(1, selectionOf({ first, second }, "n0 | n1"));
+  for (int run = 0; run < 2; ++run)
+  {
+    filter->Modified();
+    filter->Update();
+    auto* gone = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(2));
+    ASSERT_TRUE(gone);
+    EXPECT_EQ(gone->GetBlock(0)->GetNumberOfElements(vtkDataObject::CELL),
+      cellsOfParts([=](double part) { return part == a; }));
+    EXPECT_EQ(gone->GetBlock(1)->GetNumberOfElements(vtkDataObject::CELL),
+      cellsOfParts([=](double part) { return part == b; }));
+  }
 }
 
 TEST(MedialPrune, RemovesNothingWithAnEmptySelection)
