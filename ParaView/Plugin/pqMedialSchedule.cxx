@@ -5,10 +5,13 @@
 #include "vtkMedialPrune.h"
 
 #include <QComboBox>
+#include <QLineEdit>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QTimer>
+#include <QValidator>
 
+#include <string>
 #include <vector>
 
 namespace
@@ -36,6 +39,58 @@ public:
     return measures;
   }
 };
+
+/// Takes what the filter takes beside a measure, and turns a decimal comma into a point as it is typed.
+class NumberValidator : public QValidator
+{
+public:
+  NumberValidator(const QString& measure, bool isOfPasses, QObject* parent)
+    : QValidator(parent)
+    , Measure(measure.toStdString())
+    , IsOfPasses(isOfPasses)
+  {
+  }
+
+  std::string fault(const QString& text) const
+  {
+    const std::string number = text.toStdString();
+    return vtkMedialPrune::GetIterationFault(this->Measure.c_str(),
+      this->IsOfPasses ? "0" : number.c_str(), this->IsOfPasses ? number.c_str() : "0");
+  }
+
+  State validate(QString& text, int&) const override
+  {
+    text.replace(',', '.');
+    return this->fault(text).empty() ? Acceptable : Intermediate;
+  }
+
+private:
+  std::string Measure;
+  bool IsOfPasses;
+};
+
+/// Edits a threshold or a number of passes. While the text can't be taken it is red, its tip says why,
+/// and leaving the cell brings the old number back.
+class NumberDelegate : public QStyledItemDelegate
+{
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QWidget* createEditor(
+    QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const override
+  {
+    auto* editor = new QLineEdit(parent);
+    const QString measure = index.sibling(index.row(), 0).data().toString();
+    auto* validator = new NumberValidator(measure, index.column() == 2, editor);
+    editor->setValidator(validator);
+    QObject::connect(editor, &QLineEdit::textChanged, editor, [editor, validator] {
+      const std::string fault = validator->fault(editor->text());
+      editor->setStyleSheet(fault.empty() ? "" : "color: red");
+      editor->setToolTip(QString::fromStdString(fault));
+    });
+    return editor;
+  }
+};
 }
 
 pqMedialSchedule::pqMedialSchedule(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent)
@@ -50,5 +105,7 @@ pqMedialSchedule::pqMedialSchedule(vtkSMProxy* proxy, vtkSMProperty* property, Q
   if (auto* table = this->findChild<QTableView*>())
   {
     table->setItemDelegateForColumn(0, new MeasureDelegate(table));
+    table->setItemDelegateForColumn(1, new NumberDelegate(table));
+    table->setItemDelegateForColumn(2, new NumberDelegate(table));
   }
 }

@@ -223,6 +223,23 @@ class Batch(unittest.TestCase):
         self.assertEqual(messages, [1])
         self.assertEqual(balls.GetDataInformation().GetNumberOfPoints(), 0)
 
+    def test_takes_no_text_for_another_number(self):
+        messages = []
+        stage(self.chain.prune).AddObserver("ErrorEvent", lambda *_: messages.append(1))
+        for iteration in (["RelativeVolume", "0,05", "0"], ["RelativeVolume", "abc", "0"],
+                          ["RelativeVolume", "", "0"], ["RelativeVolume", "5000", "0"],
+                          ["TriangleCount", "5", "1,5"], ["TriangleCount", "5", "-1"]):
+            with self.subTest(iteration):
+                messages.clear()
+                self.chain.prune.Schedule = iteration
+                self.chain.prune.UpdatePipeline()
+                self.assertEqual(messages, [1, 1])  # of the iteration, and of the run without it
+                self.assertEqual(self.chain.prune.GetDataInformation().GetNumberOfCells(), 0)
+        messages.clear()
+        self.chain.prune.Schedule = ["RelativeVolume", "0.05", "1"]
+        self.chain.prune.UpdatePipeline()
+        self.assertEqual(messages, [])
+
     def test_takes_an_image_by_way_of_its_contour(self):
         image = pv.Wavelet(WholeExtent=[-12, 12, -12, 12, -12, 12])
         ball = pv.Calculator(Input=image, Function="coordsX^2 + 2*coordsY^2 + 3*coordsZ^2")

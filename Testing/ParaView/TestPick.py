@@ -54,6 +54,12 @@ def measures_are_chosen():
     check_equal(column(history(), "Measure")[0], 3, "Measure")
 
 
+def only_numbers_are_taken():
+    rows = list(pv.FindSource("MedialPrune2").Schedule)
+    check_equal(rows[6:9], ["RelativeVolume", "0.05", "2"], "the third iteration")
+    check_equal(column(history(), "Threshold")[2:3], [0.05], "Threshold")
+
+
 def crust_has_its_axis():
     crust = pv.FindSource("PowerCrust1")
     check_equal(crust.Axis.SMProxy, pv.FindSource("MedialPrune2").SMProxy, "Axis")
@@ -65,7 +71,7 @@ def crust_has_its_axis():
 
 
 steps = [pruned_axis, nothing_is_removed, picked_part_is_removed, picked_part_is_protected,
-         measures_are_chosen, crust_has_its_axis]
+         measures_are_chosen, only_numbers_are_taken, crust_has_its_axis]
 session.step = getattr(session, "step", -1) + 1
 try:
     steps[session.step]()
