@@ -258,6 +258,7 @@ Erosion erosion(const AxisComplex& axis)
   const Sectors sectors(axis.cells, count(axis.points));
   const Fire fire(axis, sectors);
   std::vector<Ball> balls;
+  balls.reserve(axis.points.size());
   for (Index p = 0; p < count(axis.points); ++p)
   {
     balls.push_back({ axis.points[p], axis.radii[p] });

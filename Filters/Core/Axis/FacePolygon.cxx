@@ -7,7 +7,7 @@
 namespace medial
 {
 void appendSimplePolygons(
-  std::vector<Index> walk, Index siteEdge, std::vector<FacePolygon>& polygons)
+  const std::vector<Index>& walk, Index siteEdge, std::vector<FacePolygon>& polygons)
 {
   std::vector<Index> path;
   const auto emit = [&](std::vector<Index> corners) {

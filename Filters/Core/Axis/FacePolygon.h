@@ -21,7 +21,7 @@ struct FacePolygon
 ///
 /// For example the walk 1 2 3 4 2 5 becomes the polygons 2 3 4 and 1 2 5.
 void appendSimplePolygons(
-  std::vector<Index> walk, Index siteEdge, std::vector<FacePolygon>& polygons);
+  const std::vector<Index>& walk, Index siteEdge, std::vector<FacePolygon>& polygons);
 }
 
 #endif

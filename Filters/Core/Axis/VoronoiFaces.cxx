@@ -6,6 +6,7 @@
 #include "Base/Lists.h"
 
 #include <algorithm>
+#include <numeric>
 
 // A Voronoi face is in the dual complex if all cells around its Delaunay edge are in the set. A face is
 // found by a walk around the edge, so all faces together take time linear in the cells.
@@ -39,11 +40,8 @@ void openCells(const SiteTriangulation& sites, const Outside& outside, Faces& fa
     }
   });
   std::vector<char> open(outside.vertices);
-  std::vector<Index> todo;
-  for (Index v = 0; v < sites.siteCount; ++v)
-  {
-    todo.push_back(v);
-  }
+  std::vector<Index> todo(sites.siteCount);
+  std::iota(todo.begin(), todo.end(), 0);
   while (!todo.empty())
   {
     const Index v = todo.back();

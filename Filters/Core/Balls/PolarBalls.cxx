@@ -169,6 +169,7 @@ void measureVolumes(const DelaunaySpheres& spheres, const std::vector<Index>& ba
 std::vector<Tetrahedron> powerCells(const std::vector<Ball>& balls, const Execution& execution)
 {
   std::vector<Ball> weighted;
+  weighted.reserve(balls.size());
   for (Index b = 0; b < count(balls); ++b)
   {
     weighted.push_back(jittered(balls[b], b));

@@ -17,6 +17,7 @@ namespace
 Index voids(const LivingCells& living, const Partition& partition)
 {
   std::vector<char> excluded; // parts of lower cells, or with an edge of one triangle
+  excluded.reserve(partition.level.size());
   for (Index part = 0; part < count(partition.level); ++part)
   {
     excluded.push_back(partition.dimension[part] < 2 || partition.level[part] == 1);

@@ -107,6 +107,7 @@ std::vector<std::vector<Index>> piecesOf(std::vector<Index> points, const Thickn
     pieces[peakOf(p)].push_back(p);
   }
   std::vector<std::vector<Index>> result;
+  result.reserve(pieces.size());
   for (auto& piece : pieces)
   {
     result.push_back(std::move(piece.second));
@@ -219,6 +220,7 @@ private:
     spread([&](Index p) { return this->axis.radii[p] >= trunkRatio * radius; });
     // What lies inside the balls of the trunk adds no shape of its own: it can be no limb.
     std::vector<Ball> balls;
+    balls.reserve(grown.size());
     for (const Index p : grown)
     {
       balls.push_back({ this->axis.points[p], this->axis.radii[p] });

@@ -148,6 +148,7 @@ TopologyGraph topologyGraph(
 {
   const auto lives = [&gone](Index part) { return !gone[part]; };
   std::vector<char> isThere;
+  isThere.reserve(contacts.size());
   for (const ContactCurve& contact : contacts)
   {
     isThere.push_back(std::count_if(contact.parts.begin(), contact.parts.end(), lives) > 1);
