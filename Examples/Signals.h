@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Signals_h
+#define Signals_h
+
+#include <functional>
+
+/// What signals do to the program. SIGINT (Ctrl-C), SIGTERM and SIGHUP clean up and end it at once,
+/// whatever it computes, with exit code 128 + signal: 130, 143, 129. One that the program's starter
+/// ignores, as nohup does, stays ignored. A write into a closed pipe, or beyond the size that
+/// `ulimit -f` allows, is an error of that write and doesn't end the program.
+namespace signals
+{
+/// Begins to take the signals, in a thread of its own: nothing has to wait for the stage that runs.
+/// Call it before other threads begin.
+void take();
+
+/// Gives a child process, made by fork(), the signals as they were before take().
+void restoreInChild();
+
+/// While one lives, no signal ends the program; those that come are taken afterwards.
+class Shield
+{
+public:
+  Shield();
+  ~Shield();
+  Shield(const Shield&) = delete;
+  Shield& operator=(const Shield&) = delete;
+};
+
+/// Sets what is called before a signal ends the program, in another thread and never while a shield
+/// lives. Call it behind a shield.
+void setCleanUp(std::function<void()> cleanUp);
+}
+
+#endif
