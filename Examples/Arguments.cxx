@@ -184,6 +184,7 @@ Results, all or none:
   report.json            counts, Betti numbers, certificate, volumes, times
   samples axis parts pruned surface overview .png with --picture
 
-Exit: 0 done, 1 wrong usage, 2 input or output can't be used, 3 see --strict.
+Exit: 0 done, 1 wrong usage, 2 input or output can't be used, 3 see --strict,
+130 ended by Ctrl-C, 143 by SIGTERM, 129 by SIGHUP.
 )";
 }

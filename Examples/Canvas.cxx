@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Canvas.h"
 
-#include "Errors.h"
-
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkImageShrink3D.h>
@@ -18,10 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace
 {
@@ -61,25 +55,6 @@ vtkSmartPointer<vtkRenderWindow> windowOf(int width, int height)
   window->SetMultiSamples(0);
   window->SetSize(width * Canvas::Oversampling, height * Canvas::Oversampling);
   return window;
-}
-
-/// Opens a window in a child process, since VTK aborts the process if there is no X server. Returns
-/// true if VTK did not abort.
-bool canOpenWindow()
-{
-  const pid_t child = fork();
-  if (child == 0)
-  {
-    const bool silent = std::freopen("/dev/null", "w", stderr) != nullptr;
-    vtkNew<vtkRenderer> renderer;
-    auto window = windowOf(8, 8);
-    window->AddRenderer(renderer);
-    window->Render();
-    std::_Exit(silent ? EXIT_SUCCESS : EXIT_FAILURE);
-  }
-  int status = 0;
-  return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) &&
-    WEXITSTATUS(status) == EXIT_SUCCESS;
 }
 }
 
@@ -185,18 +160,10 @@ vtkSmartPointer<vtkPNGWriter> Canvas::writer()
   return writer;
 }
 
-void checkDisplay(const std::string& asker)
+void keepDisplay()
 {
-  const char* display = std::getenv("DISPLAY");
-  if (!display || !*display)
-  {
-    throw UsageError(asker +
-      " needs an X server, but DISPLAY is not set; use Examples/run, which "
-      "starts one, or xvfb-run");
-  }
-  if (!canOpenWindow())
-  {
-    throw UsageError(asker + " needs an X server with OpenGL, but none answers at DISPLAY=" +
-      display + "; use Examples/run, which starts one, or xvfb-run");
-  }
+  static const vtkSmartPointer<vtkRenderWindow> window = windowOf(8, 8);
+  vtkNew<vtkRenderer> renderer;
+  window->AddRenderer(renderer);
+  window->Render();
 }

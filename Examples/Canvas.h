@@ -70,8 +70,8 @@ private:
   vtkSmartPointer<vtkRenderWindow> Window;
 };
 
-/// @param asker  what needs a display, for the message
-/// @throw UsageError  there is no X server to draw with; without one VTK would abort the process
-void checkDisplay(const std::string& asker);
+/// Connects to the X server until the process ends. Without one VTK aborts the process, see
+/// DrawingProcess.h.
+void keepDisplay();
 
 #endif

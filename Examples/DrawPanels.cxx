@@ -3,6 +3,7 @@
 // Draws files of SimplifyShape side by side, all seen from the same place.
 
 #include "Canvas.h"
+#include "DrawingProcess.h"
 #include "Errors.h"
 #include "Messages.h"
 #include "Options.h"
@@ -142,7 +143,6 @@ vtkSmartPointer<vtkPolyData> read(const std::string& file)
 
 void draw(const PanelArguments& arguments)
 {
-  checkDisplay("the picture");
   const int size = arguments.size, count = static_cast<int>(arguments.panels.size());
   const int columns = arguments.columns > 0 ? arguments.columns : count;
   const int rows = (count + columns - 1) / columns;
@@ -187,7 +187,8 @@ int main(int argc, char* argv[])
       return Done;
     }
     messages::capture(true);
-    draw(arguments);
+    DrawingProcess process("the picture", [&](const std::string&) { draw(arguments); });
+    process.draw(arguments.picture);
     return Done;
   }
   catch (const UsageError& error)

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-/// The program's exit codes.
+/// The program's exit codes; for those of signals see Signals.h.
 enum ExitCode
 {
   Done = 0,

@@ -2,54 +2,77 @@
 #ifndef OutputFolder_h
 #define OutputFolder_h
 
+#include "DurableFiles.h"
+
 #include <filesystem>
+#include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
-class vtkAlgorithm;
+class vtkSTLWriter;
+class vtkXMLWriter;
 
-/// The folder of the results. Files are written to a draft folder within it and moved to their places at
-/// the end, so that a run that fails leaves no results.
+/// The folder of the results. Files are written to a draft, a hidden folder of a fresh name beside the
+/// results' folder (inside it, where its parent can't be written to or is on another disk), and are
+/// published together, see Publication.h. A run that fails, or is ended by a signal, leaves neither files
+/// nor drafts. What a killed run left is removed by the next run with the same folder, but never the
+/// draft of a run that is still at work: runs lock their drafts.
+///
+/// Concurrent runs with the same folder publish one after the other; the last one's results stay.
 class OutputFolder
 {
 public:
-  /// Makes the folder if it does not exist yet.
+  /// Makes the folders above it if they do not exist yet; the folder itself appears with its results.
   /// @param inputFile  is never overwritten
-  /// @throw InputError  the folder can't be made
+  /// @throw InputError  there can't be results in this folder, or they would overwrite the input
   OutputFolder(const std::string& folder, const std::string& inputFile);
 
-  /// Removes the files that were not published, and the folder if it is new and empty.
+  /// Removes what was not published.
   ~OutputFolder();
 
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Writes a file of this name by a vtkWriter or vtkImageWriter whose input is set.
+  /// Writes a file by a writer whose input is set. VTK's XML writers corrupt the heap if the disk is full,
+  /// so they write into memory.
   /// @throw InputError  the file can't be written
-  template <typename Writer>
-  void write(Writer* writer, const std::string& name)
-  {
-    writer->SetFileName(this->draft(name).c_str());
-    writer->Write();
-    this->check(name, writer);
-  }
+  void write(vtkXMLWriter* writer, const std::string& name);
+  void write(vtkSTLWriter* writer, const std::string& name);
 
   /// Writes a text file.
   /// @throw InputError  the file can't be written
   void writeText(const std::string& text, const std::string& name);
 
-  /// Moves all written files to their places.
-  /// @throw InputError  a file can't be moved, or would overwrite the input; in the latter case none is
-  ///                    moved
-  void publish();
+  /// The place of the files that are not published yet, for a process that writes some of them.
+  /// @throw InputError  it can't be made
+  std::filesystem::path draft();
+
+  /// Publishes all written files together. Later files begin a new draft.
+  /// @param names  files that go from the folder, if they are not among the written ones
+  /// @throw InputError  they can't be published; the old results stay
+  void publish(const std::set<std::string>& names);
+
+  /// Removes the files that are not published.
+  void discard();
+
+  /// Where the results are published.
+  const std::filesystem::path& path() const { return this->Folder; }
 
 private:
-  std::string draft(const std::string& name) const;
-  void check(const std::string& name, vtkAlgorithm* writer) const;
+  void checkPlace(const std::string& inputFile) const;
+  void makeParents();
+  void removeStale() const;
+  bool publishAsNew(const std::filesystem::path& draftFolder);
+  bool makeDraft(const std::filesystem::path& place, const std::string& prefix);
+  void removeDraft();
+  void removeAll();
 
+  std::string Named; ///< as the user wrote it, for messages
   std::filesystem::path Folder;
-  std::filesystem::path InputFile;
-  std::filesystem::path Draft; ///< inside Folder, thus on the same disk
-  bool IsNew;
+  std::vector<std::filesystem::path> MadeParents; ///< the outermost first
+  std::filesystem::path Draft;                    ///< empty: there is none
+  std::optional<FolderLock> DraftLock;
 };
 
 #endif

@@ -2,14 +2,25 @@
 #include "Pictures.h"
 
 #include "Canvas.h"
-#include "OutputFolder.h"
+#include "DurableFiles.h"
+#include "Errors.h"
 #include "Scenes.h"
 
+#include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <system_error>
+#include <vector>
+
+namespace fs = std::filesystem;
 
 namespace
 {
+constexpr std::array<const char*, 5> StageNames = { "samples", "axis", "parts", "pruned",
+  "surface" };
 constexpr int PictureSize = 900;
 constexpr int OverviewWidth = 500; ///< of each stage
 constexpr int OverviewHeight = 560;
@@ -29,23 +40,96 @@ vtkSmartPointer<vtkActor> actorOf(
       return partsActor(data, scale);
   }
 }
+
+vtkSmartPointer<vtkPolyData> read(const fs::path& file)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  if (reader->GetErrorCode() != 0)
+  {
+    throw InputError(file.string() + ": can't be read");
+  }
+  return reader->GetOutput();
 }
 
-void drawPictures(const Stages& stages, OutputFolder& folder)
+void write(Canvas& canvas, const fs::path& file)
 {
-  const View view(stages[0].data);
-  for (std::size_t i = 0; i < stages.size(); ++i)
+  const auto writer = canvas.writer();
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (!bytes || bytes->GetNumberOfValues() == 0)
+  {
+    throw InputError(file.filename().string() + ": can't be made");
+  }
+  try
+  {
+    writeFile(file,
+      { reinterpret_cast<const char*>(bytes->GetPointer(0)),
+        static_cast<std::size_t>(bytes->GetNumberOfValues()) });
+  }
+  catch (const std::system_error& error)
+  {
+    throw InputError(file.filename().string() + ": can't be written: " + error.code().message());
+  }
+}
+
+struct Order
+{
+  fs::path results, target;
+  Captions captions;
+};
+
+/// Paths and captions end with a zero, which occurs in none of them.
+Order parseOrder(const std::string& text)
+{
+  std::vector<std::string> pieces;
+  for (std::size_t begin = 0, end; (end = text.find('\0', begin)) != std::string::npos;
+       begin = end + 1)
+  {
+    pieces.push_back(text.substr(begin, end - begin));
+  }
+  Order order = { pieces.at(0), pieces.at(1), {} };
+  for (std::size_t i = 0; i < order.captions.size(); ++i)
+  {
+    order.captions[i] = pieces.at(2 + i);
+  }
+  return order;
+}
+}
+
+std::string pictureOrder(const fs::path& results, const fs::path& target, const Captions& captions)
+{
+  std::string text = results.string() + '\0' + target.string() + '\0';
+  for (const std::string& caption : captions)
+  {
+    text += caption + '\0';
+  }
+  return text;
+}
+
+void drawPictures(const std::string& text)
+{
+  const Order order = parseOrder(text);
+  std::array<vtkSmartPointer<vtkPolyData>, StageNames.size()> data;
+  for (std::size_t i = 0; i < data.size(); ++i)
+  {
+    data[i] = read(order.results / (StageNames[i] + std::string(".vtp")));
+  }
+  const View view(data[0]);
+  for (std::size_t i = 0; i < data.size(); ++i)
   {
     Canvas canvas(PictureSize, PictureSize);
-    canvas.draw(actorOf(i, stages[i].data, view, Canvas::Oversampling), view,
-      { 0, 0, PictureSize, PictureSize });
-    folder.write(canvas.writer().Get(), stages[i].name + ".png");
+    canvas.draw(
+      actorOf(i, data[i], view, Canvas::Oversampling), view, { 0, 0, PictureSize, PictureSize });
+    write(canvas, order.target / (StageNames[i] + std::string(".png")));
   }
-  Canvas overview(OverviewWidth * static_cast<int>(stages.size()), OverviewHeight);
-  for (std::size_t i = 0; i < stages.size(); ++i)
+  Canvas overview(OverviewWidth * static_cast<int>(data.size()), OverviewHeight);
+  for (std::size_t i = 0; i < data.size(); ++i)
   {
-    overview.draw(actorOf(i, stages[i].data, view, 0.7 * Canvas::Oversampling), view,
-      { double(i * OverviewWidth), 0, OverviewWidth, OverviewHeight }, stages[i].caption);
+    overview.draw(actorOf(i, data[i], view, 0.7 * Canvas::Oversampling), view,
+      { double(i * OverviewWidth), 0, OverviewWidth, OverviewHeight }, order.captions[i]);
   }
-  folder.write(overview.writer().Get(), "overview.png");
+  write(overview, order.target / "overview.png");
 }

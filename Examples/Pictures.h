@@ -3,25 +3,21 @@
 #define Pictures_h
 
 #include <array>
+#include <filesystem>
 #include <string>
 
-class OutputFolder;
-class vtkPolyData;
+/// What stands below samples, axis, parts, pruned axis and surface in the overview.
+using Captions = std::array<std::string, 5>;
 
-/// A stage of the pipeline that is drawn.
-struct Stage
-{
-  std::string name;    ///< of the picture's file, without .png
-  std::string caption; ///< in the overview
-  vtkPolyData* data;
-};
-
-/// Samples, axis, parts, pruned axis and surface, in this order.
-using Stages = std::array<Stage, 5>;
+/// An order for drawPictures(), as a text that can be sent to another process.
+/// @param results  folder with samples.vtp, axis.vtp, parts.vtp, pruned.vtp and surface.vtp
+/// @param target   folder for the pictures
+std::string pictureOrder(const std::filesystem::path& results, const std::filesystem::path& target,
+  const Captions& captions);
 
 /// Draws a picture of each stage, all seen from the same place, and an overview with all five side by
 /// side.
-/// @throw InputError  a picture can't be written
-void drawPictures(const Stages& stages, OutputFolder& folder);
+/// @throw InputError  a result can't be read, or a picture can't be written
+void drawPictures(const std::string& order);
 
 #endif

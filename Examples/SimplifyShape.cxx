@@ -4,7 +4,7 @@
 // The filter vtkSimplifyShape does the work; the program reads its input and writes its outputs.
 
 #include "Arguments.h"
-#include "Canvas.h"
+#include "DrawingProcess.h"
 #include "Errors.h"
 #include "Messages.h"
 #include "OutputFolder.h"
@@ -12,6 +12,8 @@
 #include "Progress.h"
 #include "ReadPoints.h"
 #include "Report.h"
+#include "ResultNames.h"
+#include "Signals.h"
 #include "Tables.h"
 #include "Verdict.h"
 
@@ -38,6 +40,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <optional>
 
 namespace
 {
@@ -113,7 +116,7 @@ void write(vtkDataObject* data, const std::string& name, OutputFolder& folder)
   vtkNew<Writer> writer;
   writer->SetInputData(data);
   writer->SetDataModeToBinary();
-  folder.write(writer.Get(), name);
+  folder.write(writer, name);
 }
 
 void writeData(vtkSimplifyShape* simplify, OutputFolder& folder)
@@ -129,7 +132,7 @@ void writeData(vtkSimplifyShape* simplify, OutputFolder& folder)
   vtkNew<vtkSTLWriter> triangles;
   triangles->SetInputData(simplify->GetOutput());
   triangles->SetFileTypeToBinary();
-  folder.write(triangles.Get(), "surface.stl");
+  folder.write(triangles, "surface.stl");
   folder.writeText(
     csv(vtkTable::SafeDownCast(simplify->GetUnprunedPartDecomposition()->GetOutputDataObject(1))),
     "parts.csv");
@@ -137,29 +140,40 @@ void writeData(vtkSimplifyShape* simplify, OutputFolder& folder)
     csv(vtkTable::SafeDownCast(simplify->GetMedialPrune()->GetOutputDataObject(1))), "history.csv");
 }
 
-Stages stagesOf(vtkSimplifyShape* simplify, vtkPolyData* samples)
+Captions captionsOf(vtkSimplifyShape* simplify)
 {
   const auto parts = [](vtkDataObject* axis) {
     const double count = fieldValue(axis, "NumberOfParts");
     return grouped(count) + (count == 1 ? " part" : " parts");
   };
-  return { {
-    { "samples", grouped(double(samples->GetNumberOfPoints())) + " samples", samples },
-    { "axis", "medial axis", simplify->GetMedialAxis()->GetOutput() },
-    { "parts", parts(simplify->GetUnprunedPartDecomposition()->GetOutput()),
-      simplify->GetUnprunedPartDecomposition()->GetOutput() },
-    { "pruned", "pruned to " + parts(simplify->GetMedialPrune()->GetOutput()),
-      simplify->GetMedialPrune()->GetOutput() },
-    { "surface", "simplified surface", simplify->GetOutput() },
-  } };
+  const double samples = fieldValue(simplify->GetPolarBalls()->GetOutput(), "NumberOfSamples");
+  return { grouped(samples) + " samples", "medial axis",
+    parts(simplify->GetUnprunedPartDecomposition()->GetOutput()),
+    "pruned to " + parts(simplify->GetMedialPrune()->GetOutput()), "simplified surface" };
+}
+
+/// Draws what is published. If that fails, the results stay, without any picture.
+void addPictures(vtkSimplifyShape* simplify, DrawingProcess& process, OutputFolder& folder)
+{
+  try
+  {
+    process.draw(pictureOrder(folder.path(), folder.draft(), captionsOf(simplify)));
+    folder.publish({});
+  }
+  catch (const std::exception& error)
+  {
+    folder.discard();
+    std::cerr << "warning: there are no pictures: " << error.what() << '\n';
+  }
 }
 
 ExitCode simplify(const Arguments& arguments)
 {
   const auto begin = std::chrono::steady_clock::now();
+  std::optional<DrawingProcess> drawing;
   if (arguments.picture)
   {
-    checkDisplay("--picture");
+    drawing.emplace("--picture", drawPictures);
   }
   if (arguments.threads > 0)
   {
@@ -176,15 +190,15 @@ ExitCode simplify(const Arguments& arguments)
   const double total =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   writeData(filter, folder);
-  if (arguments.picture)
-  {
-    drawPictures(stagesOf(filter, input.samples), folder);
-  }
   folder.writeText(report(filter, input, progress, total), "report.json");
-  folder.publish();
+  folder.publish(ResultNames);
   if (!arguments.quiet)
   {
     std::cout << summary(filter, input, arguments, total);
+  }
+  if (drawing)
+  {
+    addPictures(filter, *drawing, folder);
   }
   if (arguments.strict && !contradictions(filter).empty())
   {
@@ -206,6 +220,7 @@ int main(int argc, char* argv[])
 {
   try
   {
+    signals::take();
     const Arguments arguments = parseArguments(argc, argv);
     if (arguments.help)
     {
