@@ -16,9 +16,10 @@ import subprocess
 import unittest
 
 from check_inputs import Inputs  # what the program reads and refuses; run with the rest
+from check_outputs import Outputs  # whole results or none; run with the rest
 from program_test import PROGRAM, ProgramTest, ellipsoid, torus
 
-__all__ = ["Inputs", "SimplifyShape"]
+__all__ = ["Inputs", "Outputs", "SimplifyShape"]
 
 DATA = {"balls.vtu", "samples.vtp", "axis.vtp", "parts.vtp", "pruned.vtp", "surface.vtp", "surface.stl",
         "parts.csv", "history.csv", "report.json"}
