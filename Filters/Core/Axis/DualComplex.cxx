@@ -3,6 +3,7 @@
 
 #include "Axis/FacePolygon.h"
 #include "Axis/FaceTriangulation.h"
+#include "Axis/Midpoints.h"
 #include "Axis/Sheets.h"
 #include "Axis/Trimming.h"
 #include "Axis/VertexMerging.h"
@@ -51,15 +52,14 @@ AllVertices allVertices(const PolarBalls& polarBalls, const SiteTriangulation& s
   return result;
 }
 
-void addMidpoints(const std::vector<Edge>& sides, AllVertices& vertices)
+void addMidpoints(const std::vector<Edge>& sides, const Frame& frame, AllVertices& vertices)
 {
-  for (const Edge& side : sides)
+  const std::vector<Point> places = midpointPlaces(vertices.places, vertices.isDropped, sides);
+  for (std::size_t i = 0; i < sides.size(); ++i)
   {
-    const Ball &a = vertices.balls[side[0]], &b = vertices.balls[side[1]];
-    const Ball middle{ 0.5 * (a.center + b.center), 0.5 * (a.radius + b.radius) };
-    const Point place = 0.5 * (vertices.places[side[0]] + vertices.places[side[1]]);
-    vertices.balls.push_back(middle);
-    vertices.places.push_back(place);
+    const Ball &a = vertices.balls[sides[i][0]], &b = vertices.balls[sides[i][1]];
+    vertices.balls.push_back({ frame.toWorld(places[i]), 0.5 * (a.radius + b.radius) });
+    vertices.places.push_back(places[i]);
     vertices.pole.push_back(None);
     vertices.isDropped.push_back(0);
   }
@@ -116,7 +116,7 @@ AxisComplex dualComplex(const PolarBalls& polarBalls, const SingularPoints& sing
   AllVertices vertices = allVertices(polarBalls, sites, frame, dual);
   const MergedVertices merging = mergeVertices(vertices.places, vertices.pole, polygons);
   drop(merging.merged, vertices);
-  addMidpoints(merging.midpoints, vertices);
+  addMidpoints(merging.midpoints, frame, vertices);
   drop(trimSheets(faceGeometry(vertices, singularPoints, sites, frame), polygons), vertices);
   AxisComplex axis;
   addPoints(vertices, polygons, axis);

@@ -125,6 +125,20 @@ TEST(MedialAxis, HasNoDuplicatePointsWhereSamplesWereRounded)
   }
 }
 
+TEST(MedialAxis, HasNoDuplicatePointsInAnyRoundedSphere)
+{
+  // All poles of a rounded sphere crowd around its centre, and merging adds vertices between them.
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const std::vector<Point> samples = shapes::roundedToFloats(shapes::sphere(0.1, seed).samples);
+    const MedialAxis axis = medial::medialAxis(medial::polarBalls(samples));
+    EXPECT_EQ(axis.betti, (Betti{ 1, 0, 0 }));
+    EXPECT_TRUE(axis.certificate);
+    EXPECT_EQ(validators::nearDuplicates(axis.points, 1e-9 * validators::diagonal(samples)), 0);
+  }
+}
+
 TEST(MedialAxis, UsesEveryPointAndRepeatsNoCell)
 {
   forEachShape([](Pipeline& p) {
