@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PruningTest.h"
 
+#include <algorithm>
 #include <random>
 
 using medial::Index;
-using medial::Measure;
 using medial::MedialAxis;
 using medial::PruneOptions;
 using medial::Topology;
@@ -31,9 +31,11 @@ TEST(Pruning, AgainIsAsForTheFirstTime)
       options.schedule.resize(random() % (options.schedule.size() + 1));
       for (unsigned j = 0; j < 1 + random() % 2; ++j)
       {
-        const Measure measure =
-          medial::allMeasures()[random() % medial::allMeasures().size()].measure;
-        options.schedule.push_back({ measure, random() % 4 * 0.6, static_cast<int>(random() % 3) });
+        const medial::MeasureTraits& traits =
+          medial::allMeasures()[random() % medial::allMeasures().size()];
+        const double threshold =
+          std::min(random() % 4 * 0.6, medial::largestThreshold(traits.unit));
+        options.schedule.push_back({ traits.measure, threshold, static_cast<int>(random() % 3) });
       }
       options.cellsToRemove.assign(random() % 2, static_cast<Index>(random() % axis.cells.size()));
       options.verifyTopology = axis.cells.size() < 1000 && random() % 4 == 0;
