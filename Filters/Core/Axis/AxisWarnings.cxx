@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Axis/AxisWarnings.h"
+
+namespace medial
+{
+Warnings axisWarnings(const MedialAxis& axis)
+{
+  if (!axis.fallback)
+  {
+    return {};
+  }
+  return { { "fallback",
+    "The medial axis is the collapsed power shape (fallback): its topology is right, but its "
+    "sheets "
+    "are rough. More samples, or samples with less noise, may avoid it.",
+    axis.cells.size(), {}, false } };
+}
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Crust/Verdict.h"
+
+#include "Base/Errors.h"
+
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+/// "1 piece", "2 pieces".
+std::string counted(Index number, const char* thing)
+{
+  return text(number, " ", thing, number == 1 ? "" : "s");
+}
+
+std::string inWords(const Betti& betti)
+{
+  return counted(betti[0], "piece") + ", " + counted(betti[1], "tunnel") + ", " +
+    counted(betti[2], "void");
+}
+
+/// A stage, and the Betti numbers of its result.
+struct Topology
+{
+  const char* stage;
+  Betti betti;
+};
+
+std::vector<std::string> differences(const Topology& before, const Topology& after)
+{
+  if (before.betti == after.betti)
+  {
+    return {};
+  }
+  return { text("the ", after.stage, " has ", inWords(after.betti), ", but the ", before.stage, " ",
+    inWords(before.betti)) };
+}
+
+/// What contradicts that a surface has the topology of what it was made from.
+std::vector<std::string> faults(const Findings& findings, const Topology& source)
+{
+  if (!findings.closed)
+  {
+    return { "the surface is not closed" };
+  }
+  if (!findings.manifold)
+  {
+    return { "the surface is not a manifold" };
+  }
+  return differences(source, { "surface", findings.crust });
+}
+
+std::vector<std::string> doubts(const Warnings& warnings)
+{
+  std::vector<std::string> result;
+  for (const Warning& warning : warnings)
+  {
+    if (warning.doubtsSolid)
+    {
+      result.push_back(
+        text("the samples may not determine the solid, see the warning '", warning.code, "'"));
+    }
+  }
+  return result;
+}
+
+void append(const std::vector<std::string>& from, std::vector<std::string>& to)
+{
+  to.insert(to.end(), from.begin(), from.end());
+}
+}
+
+Verdict verdict(const Findings& findings)
+{
+  const Topology powerShape{ "power shape", findings.powerShape };
+  std::vector<std::string> against;
+  std::vector<std::string> allowed;
+  if (findings.solid)
+  {
+    append(differences({ "solid given", *findings.solid }, powerShape), against);
+  }
+  if (findings.axis)
+  {
+    const Topology axis{ "axis", findings.axis->unpruned };
+    const Topology pruned{ "pruned axis", findings.axis->pruned };
+    append(differences(powerShape, axis), against);
+    append(differences(axis, pruned), findings.axis->topologyKept ? against : allowed);
+    append(faults(findings, pruned), against);
+  }
+  else
+  {
+    against.emplace_back(
+      "the surface was made of all inner balls, without an axis, so pruning had no "
+      "effect on it: connect the pruned axis to the second input");
+    append(faults(findings, powerShape), against);
+  }
+  append(doubts(findings.warnings), against);
+  Verdict result{ against.empty(), std::move(against) };
+  for (const std::string& difference : allowed)
+  {
+    result.reasons.push_back(difference + "; pruning was allowed to change it");
+  }
+  return result;
+}
+
+const char* nameOf(const Verdict& verdict)
+{
+  return verdict.certified ? "certified" : "not certified";
+}
+}
