@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMedialAxis.h"
 
+#include "Axis/AxisWarnings.h"
 #include "Conversion/Axis.h"
 #include "Conversion/Balls.h"
 #include "Pipeline/ReportErrors.h"
+#include "Pipeline/ReportWarnings.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -35,8 +37,10 @@ int vtkMedialAxis::RequestData(
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::AxisOptions options{ static_cast<medial::AxisFallback>(this->Fallback) };
-      medial::write(
-        medial::medialAxis(medial::readPolarBalls(balls), options, execution), balls, output);
+      const medial::MedialAxis axis =
+        medial::medialAxis(medial::readPolarBalls(balls), options, execution);
+      medial::write(axis, balls, output);
+      medial::reportWarnings(this, medial::axisWarnings(axis), { output });
     });
 }
 

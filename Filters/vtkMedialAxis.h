@@ -40,10 +40,15 @@
  * Field data, single values
  *  - `BettiPowerShape`, `BettiAxis` (vtkIdType, 3 components): pieces, tunnels and voids of the
  *    power shape and of the axis, each computed from its own cells.
- *  - `Certificate` (unsigned char): 1 where the two are equal.
+ *  - `BettiUnprunedAxis` (vtkIdType, 3 components): the same as `BettiAxis`; it stays when the axis is
+ *    pruned.
+ *  - `TopologyKept` (unsigned char): 1; 0 once a pruning was allowed to change the topology.
+ *  - `Certificate` (unsigned char): 1 where `BettiAxis` and `BettiPowerShape` are equal.
  *  - `Fallback` (unsigned char): 1 where the axis was made by collapse of the power shape.
  *  - `Kappa` (double): which Voronoi vertices were candidates, see README.md; -1 with the fallback.
  *  - `NumberOfOffAxisBalls` (vtkIdType): inner balls that are not on the axis.
+ *
+ * An axis made by the fallback becomes a warning, with the code `fallback`, see vtkPolarBalls.
  *
  * The field data of the input is passed on, but for `Samples`, `SampleInnerBall`, `SampleOuterBall`,
  * `BallSampleOffsets` and `BallSamples`, which are long: what reads them reads the balls. An error (an

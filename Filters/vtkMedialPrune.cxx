@@ -361,7 +361,7 @@ int vtkMedialPrune::RequestData(
       options.cellsToProtect =
         medial::readCells(axis, lists.PartsToProtect, lists.CellsToProtect, "protected");
       const medial::Pruned pruned = medial::prune(this->Axis->Of(axis), options, execution);
-      medial::write(pruned, axis, output, history, removed);
+      medial::write(pruned, options.topology, axis, output, history, removed);
       const std::string refusals =
         medial::refusals(pruned.fates, options.cellsToRemove, medial::readParts(axis));
       if (!refusals.empty())

@@ -24,7 +24,8 @@
  * Output 0: vtkPolyData, the living cells on all points of the input: ids of points stay. Arrays of
  * the input are passed on; the cell data of vtkMedialPartDecomposition, `PartId`, `PartLevel` and all
  * measures, and the field data `NumberOfParts`, `SuggestedThreshold`, `BettiAxis`, `Certificate` are
- * those of the living cells, see there and vtkMedialAxis. New cell data
+ * those of the living cells, see there and vtkMedialAxis. `TopologyKept` is 0 unless Topology is COLLAPSE
+ * here and was in all prunings before. New cell data
  *  - `KeepReason` (unsigned char): why the cell's part is still there. 0 its significance is above
  *    the last threshold, together with what went from it; 1 topology; 2 not of level 1; 3 a whole
  *    component of the axis; 4 protected.

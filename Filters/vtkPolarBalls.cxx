@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPolarBalls.h"
 
+#include "Balls/OpenEdges.h"
 #include "Balls/PowerShape.h"
 #include "Conversion/Balls.h"
 #include "Pipeline/ReportErrors.h"
+#include "Pipeline/ReportWarnings.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
@@ -46,7 +48,11 @@ int vtkPolarBalls::RequestData(
       const medial::PolarBallsAndSamples made =
         medial::polarBallsAndSamples(medial::readSamples(input), execution.between(0, 0.9));
       const medial::PowerShape shape = medial::powerShape(made.balls, execution.between(0.9, 1));
+      const medial::Warnings open = medial::openSurfaceWarnings(
+        medial::readPolygons(input), made.samples.duplicateOf, made.balls.samples);
       medial::write(made, shape.betti, input, balls, samples);
+      medial::reportWarnings(this, open, { balls, samples });
+      medial::reportWarnings(this, made.samples.warnings, { balls, samples });
     });
 }
 

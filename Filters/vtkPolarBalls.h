@@ -6,7 +6,8 @@
  * First filter of the medial axis pipeline. A polar ball is centred at a pole, a farthest Voronoi
  * vertex of a sample's cell; one ball stands for all Delaunay cells with the same circumsphere.
  *
- * Input: any vtkPointSet. Its points are the samples; its cells are ignored. Lengths are in the
+ * Input: any vtkPointSet. Its points are the samples. Its cells make no difference to the result, but
+ * where they are the polygons of an open surface, that is warned of. Lengths are in the
  * unit of the samples, volumes in its cube. Repeated points count once.
  *
  * Output 0: vtkUnstructuredGrid, the balls, as the next filters take them. A point is the centre of a
@@ -46,7 +47,22 @@
  *    same as `SampleInnerBall` and `SampleOuterBall`.
  *  - `DuplicateOf` (vtkIdType): the first sample at the very same place, or -1.
  *
- * The field data of the input is passed on to both. An error (fewer than 4 distinct points, all on a
+ * Warnings: what is doubtful of the samples or of the result is sent as VTK's warning events, each by the
+ * filter that finds it. It is also in the field data of both outputs and of all outputs made from them:
+ * one entry for each warning, with those of the filters before. Without a warning the arrays aren't
+ * there.
+ *  - `WarningCode` (string): the kind, for programs: `open-surface` (edges with a polygon on one side
+ *    only), `fallback` (see vtkMedialAxis), and those in README.md.
+ *  - `WarningText` (string): what was seen and what to do, for people.
+ *  - `WarningCount` (vtkIdType): how many samples, edges, ... it is about.
+ *  - `WarningPlace` (double, 3 components), `WarningHasPlace` (unsigned char): where one of them is; 0 0 0
+ *    and 0 where it is about all.
+ *  - `WarningDoubtsSolid` (unsigned char): 1 where the samples may not determine the solid, so that
+ *    nothing made from them is certified, see vtkPowerCrust. An open surface does not: its points may be
+ *    dense everywhere.
+ *
+ * The field data of the input is passed on to both, but for the verdict on a surface of an earlier run. An
+ * error (fewer than 4 distinct points, all on a
  * line or in a plane, a coordinate that is not finite) leaves the outputs empty and sets the error
  * code. Under MPI the piece 0 holds everything.
  *

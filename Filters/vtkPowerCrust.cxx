@@ -8,8 +8,12 @@
 #include "Conversion/Balls.h"
 #include "Conversion/Crust.h"
 #include "Conversion/Parts.h"
+#include "Conversion/Verdict.h"
+#include "Conversion/Warnings.h"
+#include "Crust/Verdict.h"
 #include "Parts/BallShares.h"
 #include "Pipeline/ReportErrors.h"
+#include "Pipeline/ReportWarnings.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -50,6 +54,20 @@ struct KeptBalls
     }
   }
 };
+
+/// Adds what was found out on the cells of the axis and of the crust.
+medial::Findings withCrust(
+  medial::Findings findings, const KeptBalls& kept, const medial::Crust& crust)
+{
+  if (findings.axis)
+  {
+    findings.axis->pruned = *kept.Topology;
+  }
+  findings.crust = crust.betti;
+  findings.closed = crust.closed;
+  findings.manifold = crust.manifold;
+  return findings;
+}
 }
 
 vtkStandardNewMacro(vtkPowerCrust);
@@ -86,11 +104,22 @@ int vtkPowerCrust::RequestData(
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::PolarBalls balls = medial::readPolarBalls(input);
-      const KeptBalls kept(medial::axisOf(input, axes), input);
+      vtkPolyData* axis = medial::axisOf(input, axes);
+      const KeptBalls kept(axis, input);
+      medial::Findings findings = medial::readFindings(input, axis);
       const medial::CrustOptions options{ static_cast<medial::CrustRule>(this->Rule),
         this->Clearance, this->MaximumRounds, kept.Topology };
-      medial::write(
-        medial::powerCrust(balls, kept.Flags, options, execution), kept.Parts, input, output);
+      const medial::Crust crust = medial::powerCrust(balls, kept.Flags, options, execution);
+      medial::write(crust, kept.Parts, input, output);
+      medial::addWarnings(output->GetFieldData(), findings.warnings); // the axis has more
+      medial::reportWarnings(this, crust.warnings, { output });
+      findings.warnings = medial::readWarnings(output->GetFieldData());
+      const medial::Verdict verdict = medial::verdict(withCrust(findings, kept, crust));
+      medial::write(verdict, output->GetFieldData());
+      if (!verdict.certified)
+      {
+        vtkWarningMacro(<< medial::sentenceOf(verdict));
+      }
     });
 }
 

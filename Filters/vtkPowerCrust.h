@@ -8,7 +8,7 @@
  * Input 0: vtkUnstructuredGrid, the output of vtkPolarBalls.
  * Input 1 (optional): vtkPolyData, an axis that vtkMedialAxis or vtkMedialPrune made from these
  * balls, or a collection of axes, of which one was. Then the inner balls on its cells, and the balls
- * they own, are kept. Without it all inner balls are.
+ * they own, are kept. Without it all inner balls are, as if nothing had been pruned; a warning says so.
  *
  * Output: vtkPolyData, triangles, oriented outwards: their points are counter-clockwise seen from
  * outside.
@@ -32,7 +32,18 @@
  *  - `MaximumClearance` (double): largest distance of a point that is no sample to the union of the
  *    kept balls, in sample spacings; 0 where none is outside.
  *
- * The field data of input 0 is passed on as by vtkMedialAxis. An error (an array that is missing or
+ * Field data, the verdict on this surface and on all stages before it
+ *  - `Verdict` (string): `certified` or `not certified`. Certified is a surface if the power shape, the
+ *    axis, the pruned axis and the enclosed solid have the same Betti numbers, it is closed and a
+ *    manifold, and no warning says that the samples may not determine the solid. Where pruning was allowed
+ *    to change the topology, the pruned axis may differ from the axis. Without input 1 no surface is
+ *    certified, since the axis is not known. An axis made by the fallback has the right topology, so its
+ *    surface can be certified; there is a warning.
+ *  - `VerdictReasons` (string): what differs or speaks against it, a sentence each; not there where
+ *    nothing does. A surface that is not certified is also a warning event.
+ *
+ * The field data of input 0 is passed on as by vtkMedialAxis, with the warnings of both inputs (see
+ * vtkPolarBalls). An error (an array that is missing or
  * does not fit, an axis of other balls, no ball kept) leaves the output empty and sets the error code.
  * Under MPI the piece 0 holds everything.
  *

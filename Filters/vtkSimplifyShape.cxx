@@ -32,6 +32,7 @@ vtkSimplifyShape::vtkSimplifyShape()
   this->Crust->SetAxisConnection(this->Parts->GetOutputPort());
   this->UnprunedParts->SetInputConnection(this->Axis->GetOutputPort());
   this->UnprunedCrust->SetInputConnection(this->Balls->GetOutputPort());
+  this->UnprunedCrust->SetAxisConnection(this->UnprunedParts->GetOutputPort());
 }
 
 vtkSimplifyShape::~vtkSimplifyShape() = default;
@@ -199,14 +200,14 @@ int vtkSimplifyShape::RequestData(
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
   const Stages stages = this->MakeUnpruned
     ? Stages{ { this->Balls, 0.3 }, { this->Axis, 0.3 }, { this->UnprunedParts, 0.05 },
-        { this->Prune, 0.1 }, { this->Parts, 0.05 }, { this->UnprunedCrust, 0.1 },
+        { this->Prune, 0.1 }, { this->Parts, 0.05 }, { this->UnprunedCrust, 0.1, false },
         { this->Crust, 0.1 } }
     : Stages{ { this->Balls, 0.3 }, { this->Axis, 0.4 }, { this->Prune, 0.1 },
         { this->Parts, 0.05 }, { this->Crust, 0.15 } };
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       this->SetSamples(input);
-      medial::runStages(stages, execution);
+      medial::runStages(this, stages, execution);
       vtkDataObject::GetData(outputVector, 0)->ShallowCopy(this->Crust->GetOutput());
       vtkDataObject::GetData(outputVector, 1)->ShallowCopy(this->Parts->GetOutput());
       vtkDataObject::GetData(outputVector, 2)->ShallowCopy(this->Parts->GetOutputDataObject(1));

@@ -14,6 +14,10 @@
  * Output 2: vtkTable, a row for each of its parts, see vtkMedialPartDecomposition.
  * Output 3: vtkTable, a row for each iteration of the schedule, see vtkMedialPrune.
  *
+ * The surface's field data has the warnings and the verdict on all stages, see vtkPolarBalls and
+ * vtkPowerCrust: `Verdict` is `certified` only if all agree. Warnings of the stages are sent as warning
+ * events of this filter.
+ *
  * Where only the schedule or another property has changed, the balls and the axis are not made again.
  *
  * An error of a stage leaves the outputs empty and sets the error code; GetErrorMessage() tells the

@@ -11,6 +11,15 @@ namespace names
 // vtkShareOutObjects: field data, a single value
 constexpr const char* ObjectId = "ObjectId";
 
+// every filter from vtkPolarBalls to vtkPowerCrust: field data, one entry for each warning; none of these
+// arrays where there is no warning
+constexpr const char* WarningCode = "WarningCode";
+constexpr const char* WarningText = "WarningText";
+constexpr const char* WarningCount = "WarningCount";
+constexpr const char* WarningPlace = "WarningPlace";
+constexpr const char* WarningHasPlace = "WarningHasPlace";
+constexpr const char* WarningDoubtsSolid = "WarningDoubtsSolid";
+
 // vtkPolarBalls: points, one for each ball
 constexpr const char* Radius = "Radius";
 constexpr const char* InnerRadius = "InnerRadius";
@@ -52,6 +61,8 @@ constexpr const char* BallVolume = "BallVolume";
 constexpr const char* BallPoleVolume = "BallPoleVolume";
 // ... field data, single values
 constexpr const char* BettiAxis = "BettiAxis";
+constexpr const char* BettiUnprunedAxis = "BettiUnprunedAxis";
+constexpr const char* TopologyKept = "TopologyKept";
 constexpr const char* Certificate = "Certificate";
 constexpr const char* Fallback = "Fallback";
 constexpr const char* Kappa = "Kappa";
@@ -120,6 +131,9 @@ constexpr const char* InsertedBalls = "InsertedBalls";
 constexpr const char* RefusedBalls = "RefusedBalls";
 constexpr const char* Rounds = "Rounds";
 constexpr const char* MaximumClearance = "MaximumClearance";
+constexpr const char* Verdict = "Verdict";
+// ... field data, a text for each reason; no array where there is none
+constexpr const char* VerdictReasons = "VerdictReasons";
 }
 }
 

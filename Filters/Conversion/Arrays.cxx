@@ -7,6 +7,8 @@
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"
 #include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +43,17 @@ Index toIndex(vtkIdType number, const char* things)
   return static_cast<Index>(number);
 }
 
+void addTexts(vtkFieldData* data, const char* name, const std::vector<std::string>& texts)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& text : texts)
+  {
+    array->InsertNextValue(text);
+  }
+  data->AddArray(array);
+}
+
 void addBetti(vtkFieldData* data, const char* name, const Betti& betti)
 {
   data->AddArray(tuples<vtkIdTypeArray>(name, 3, std::array<Betti, 1>{ betti }));
@@ -59,16 +72,21 @@ bool Arrays::has(const char* name) const
   return this->Data->GetAbstractArray(name) != nullptr;
 }
 
+void Arrays::checkCount(const char* name, vtkAbstractArray* array, vtkIdType count) const
+{
+  if (count != AnyCount && array->GetNumberOfTuples() != count)
+  {
+    throw InvalidInput("the ", this->Kind, " array '", name, "' has ", array->GetNumberOfTuples(),
+      " entries instead of ", count, ": ", this->Remedy);
+  }
+}
+
 void Arrays::checkLengths(vtkIdType count) const
 {
   for (int i = 0; i < this->Data->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = this->Data->GetAbstractArray(i);
-    if (array->GetNumberOfTuples() != count)
-    {
-      throw InvalidInput("the ", this->Kind, " array '", array->GetName() ? array->GetName() : "",
-        "' has ", array->GetNumberOfTuples(), " entries instead of ", count, ": ", this->Remedy);
-    }
+    this->checkCount(array->GetName() ? array->GetName() : "", array, count);
   }
 }
 
@@ -86,11 +104,7 @@ vtkDataArray* Arrays::find(const char* name, vtkIdType count, int components) co
     throw InvalidInput("the ", this->Kind, " array '", name, "' has ",
       array->GetNumberOfComponents(), " components instead of ", components, ": ", this->Remedy);
   }
-  if (count != AnyCount && array->GetNumberOfTuples() != count)
-  {
-    throw InvalidInput("the ", this->Kind, " array '", name, "' has ", array->GetNumberOfTuples(),
-      " entries instead of ", count, ": ", this->Remedy);
-  }
+  this->checkCount(name, array, count);
   return array;
 }
 
@@ -152,6 +166,29 @@ std::vector<char> Arrays::flags(const char* name, vtkIdType count) const
 Betti Arrays::betti(const char* name) const
 {
   return this->indexTuples<3>(name, 1, 0, Largest).front();
+}
+
+std::vector<std::string> Arrays::texts(const char* name, vtkIdType count) const
+{
+  vtkAbstractArray* found = this->Data->GetAbstractArray(name);
+  vtkStringArray* array = vtkStringArray::SafeDownCast(found);
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    throw InvalidInput(found ? "no texts in the " : "there is no ", this->Kind, " array '", name,
+      "': ", this->Remedy);
+  }
+  this->checkCount(name, array, count);
+  std::vector<std::string> result;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    result.push_back(array->GetValue(i));
+    if (result.back().empty())
+    {
+      throw InvalidInput(
+        "the ", this->Kind, " array '", name, "' has no text at ", i, ": ", this->Remedy);
+    }
+  }
+  return result;
 }
 
 void Arrays::checkAscending(const char* items, Index number, IndexLists::View list) const

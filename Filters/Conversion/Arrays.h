@@ -12,6 +12,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 /// VTK arrays from values, and values from VTK arrays that nobody can trust.
@@ -71,6 +72,7 @@ void addOne(vtkFieldData* data, const char* name, Value value)
   add<Array>(data, name, std::array{ value });
 }
 
+void addTexts(vtkFieldData* data, const char* name, const std::vector<std::string>& texts);
 void addBetti(vtkFieldData* data, const char* name, const Betti& betti);
 
 /// The arrays of one kind of an input, read with every value checked: InvalidInput tells array,
@@ -121,12 +123,18 @@ public:
   /// Numbers 0 or 1.
   std::vector<char> flags(const char* name, vtkIdType count) const;
 
+  bool flag(const char* name) const { return this->flags(name, 1).front() != 0; }
+
   Betti betti(const char* name) const;
+
+  /// Texts that are not empty.
+  std::vector<std::string> texts(const char* name, vtkIdType count) const;
 
   /// Lists of strictly ascending numbers 0 ... end - 1.
   IndexLists lists(const char* offsets, const char* items, vtkIdType count, Index end) const;
 
 private:
+  void checkCount(const char* name, vtkAbstractArray* array, vtkIdType count) const;
   vtkDataArray* find(const char* name, vtkIdType count, int components) const;
   void checkWhole(const char* name, vtkDataArray* array) const;
   void checkAscending(const char* items, Index number, IndexLists::View list) const;

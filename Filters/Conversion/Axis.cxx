@@ -118,6 +118,8 @@ void write(const MedialAxis& axis, vtkUnstructuredGrid* balls, vtkPolyData* outp
   add<vtkDoubleArray>(field, names::BallPoleVolume, axis.poleVolumes);
   addBetti(field, names::BettiPowerShape, axis.powerShapeBetti);
   addTopology(field, axis);
+  addBetti(field, names::BettiUnprunedAxis, axis.betti);
+  addOne<vtkUnsignedCharArray>(field, names::TopologyKept, 1);
   addOne<vtkUnsignedCharArray>(field, names::Fallback, axis.fallback);
   addOne<vtkDoubleArray>(field, names::Kappa, axis.kappa);
   addOne<vtkDoubleArray>(field, names::SampleDiagonal, axis.sampleDiagonal);

@@ -10,14 +10,19 @@
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace medial
 {
@@ -84,6 +89,14 @@ void writeBalls(const PolarBalls& balls, vtkUnstructuredGrid* output)
   add<vtkDoubleArray>(ballData, names::PoleVolume, balls.poleVolumes);
 }
 
+/// The samples may be the surface of an earlier run: the verdict on that stays behind.
+void passInput(vtkPointSet* input, vtkFieldData* output)
+{
+  output->PassData(input->GetFieldData());
+  output->RemoveArray(names::Verdict);
+  output->RemoveArray(names::VerdictReasons);
+}
+
 /// A vertex for each sample, so that they can be drawn and picked.
 void writeSamples(const PolarBallsAndSamples& made, vtkPolyData* output)
 {
@@ -105,6 +118,30 @@ void writeSamples(const PolarBallsAndSamples& made, vtkPolyData* output)
 
 namespace
 {
+/// Adds the polygons of a cell.
+void addPolygons(
+  int cellType, std::vector<vtkIdType> corners, vtkIdType pointCount, IndexLists& polygons)
+{
+  const auto isMissing = [pointCount](vtkIdType p) { return p < 0 || p >= pointCount; };
+  if (std::any_of(corners.begin(), corners.end(), isMissing))
+  {
+    return;
+  }
+  if (cellType == VTK_TRIANGLE_STRIP)
+  {
+    for (std::size_t i = 2; i < corners.size(); ++i)
+    {
+      polygons.append(std::array{ corners[i - 2], corners[i - 1], corners[i] });
+    }
+    return;
+  }
+  if (cellType == VTK_PIXEL)
+  {
+    std::swap(corners[2], corners[3]); // a pixel's points are not in order around it
+  }
+  polygons.append(corners);
+}
+
 /// What the stages after vtkPolarBalls rely on, beside sizes and ranges of arrays.
 /// @throw InvalidInput  a ball so large or so far away that squares of lengths overflow; a hidden ball in
 ///                      a tetrahedron; one that is not hidden in none
@@ -143,17 +180,34 @@ std::vector<Point> readSamples(vtkPointSet* input)
   return readPoints(input);
 }
 
+IndexLists readPolygons(vtkPointSet* input)
+{
+  IndexLists result;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    const int type = input->GetCellType(cell);
+    if (type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON || type == VTK_PIXEL ||
+      type == VTK_TRIANGLE_STRIP)
+    {
+      input->GetCellPoints(cell, corners);
+      addPolygons(type, { corners->begin(), corners->end() }, input->GetNumberOfPoints(), result);
+    }
+  }
+  return result;
+}
+
 void write(const PolarBallsAndSamples& made, const Betti& powerShape, vtkPointSet* input,
   vtkUnstructuredGrid* balls, vtkPolyData* samples)
 {
   writeBalls(made.balls, balls);
   vtkFieldData* field = balls->GetFieldData();
-  field->PassData(input->GetFieldData());
+  passInput(input, field);
   addSamples(field, made.balls);
   addCounts(field, made);
   addBetti(field, names::BettiPowerShape, powerShape);
   writeSamples(made, samples);
-  samples->GetFieldData()->PassData(input->GetFieldData());
+  passInput(input, samples->GetFieldData());
 }
 
 PolarBalls readPolarBalls(vtkUnstructuredGrid* input)

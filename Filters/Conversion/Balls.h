@@ -3,6 +3,7 @@
 #define Conversion_Balls_h
 
 #include "Balls/PolarBalls.h"
+#include "Base/Lists.h"
 
 #include <vector>
 
@@ -21,9 +22,14 @@ constexpr const char* TakePolarBalls =
 /// The points of a data set, in their order.
 std::vector<Point> readSamples(vtkPointSet* input);
 
+/// The polygons of a data set, if it is a surface: the samples are its points then. Cells of other kinds,
+/// and cells with a point that isn't there, are left out.
+IndexLists readPolygons(vtkPointSet* input);
+
 /// Writes the balls and the samples, as vtkPolarBalls.h describes them.
 /// @param powerShape  Betti numbers of the power shape of the balls
-/// @param input       its field data is passed on to both outputs
+/// @param input       its field data is passed on to both outputs, but not the verdict on an earlier
+///                    surface
 void write(const PolarBallsAndSamples& made, const Betti& powerShape, vtkPointSet* input,
   vtkUnstructuredGrid* balls, vtkPolyData* samples);
 

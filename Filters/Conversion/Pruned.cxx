@@ -17,7 +17,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -81,14 +80,12 @@ void addHistory(vtkFieldData* rows, const std::vector<PruneRow>& history)
   std::vector<Index> numbers(history.size());
   std::iota(numbers.begin(), numbers.end(), 0);
   add<vtkIdTypeArray>(rows, names::Iteration, numbers);
-  vtkNew<vtkStringArray> words;
-  words->SetName(names::Word);
+  std::vector<std::string> words;
   for (const PruneRow& row : history)
   {
-    words->InsertNextValue(
-      row.byHand ? "by hand" : shortWord({ row.measure, row.threshold, 0, false }));
+    words.push_back(row.byHand ? "by hand" : shortWord({ row.measure, row.threshold, 0, false }));
   }
-  rows->AddArray(words);
+  addTexts(rows, names::Word, words);
   add<vtkUnsignedCharArray>(rows, names::ByHand, history, &PruneRow::byHand);
   add<vtkIntArray>(rows, names::Measure, history, &PruneRow::measure);
   add<vtkDoubleArray>(rows, names::Threshold, history, &PruneRow::threshold);
@@ -108,10 +105,14 @@ void addHistory(vtkFieldData* rows, const std::vector<PruneRow>& history)
 }
 }
 
-void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTable* history,
-  vtkPolyData* removed)
+void write(const Pruned& pruned, Topology topology, vtkPolyData* axis, vtkPolyData* output,
+  vtkTable* history, vtkPolyData* removed)
 {
   output->GetFieldData()->PassData(axis->GetFieldData());
+  const bool keptBefore =
+    Arrays(axis->GetFieldData(), "field", TakeMedialAxis).flag(names::TopologyKept);
+  addOne<vtkUnsignedCharArray>(
+    output->GetFieldData(), names::TopologyKept, keptBefore && topology == Topology::Collapse);
   vtkNew<vtkCellData> own;
   addParts(own, output->GetFieldData(), pruned.parts);
   addTopology(output->GetFieldData(), pruned.axis);

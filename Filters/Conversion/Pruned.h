@@ -12,8 +12,9 @@ class vtkTable;
 namespace medial
 {
 /// The living cells, the history, and the removed cells.
-void write(const Pruned& pruned, vtkPolyData* axis, vtkPolyData* output, vtkTable* history,
-  vtkPolyData* removed);
+/// @param topology  what the pruning was allowed to remove
+void write(const Pruned& pruned, Topology topology, vtkPolyData* axis, vtkPolyData* output,
+  vtkTable* history, vtkPolyData* removed);
 }
 
 #endif

@@ -10,55 +10,85 @@
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
+#include "vtkOutputWindow.h"
 
 namespace medial
 {
 namespace
 {
-/// Passes a filter's progress on and stops the filter when asked to. While it listens, VTK does not
-/// print the filter's errors.
+/// A warning of a stage, with VTK's file, line and object, as one of the filter that it works in.
+void warn(vtkAlgorithm* filter, const char* text)
+{
+  if (filter->HasObserver(vtkCommand::WarningEvent))
+  {
+    filter->InvokeEvent(vtkCommand::WarningEvent, const_cast<char*>(text));
+  }
+  else
+  {
+    vtkOutputWindowDisplayWarningText(text);
+  }
+}
+
+/// Passes a stage's progress and warnings on and stops the stage when asked to. While it listens, VTK
+/// does not print the stage's errors.
 class Listener
 {
 public:
-  Listener(vtkAlgorithm* stage, const Execution& execution)
-    : Stage(stage)
+  Listener(vtkAlgorithm* filter, const Stage& stage, const Execution& execution)
+    : Filter(filter)
+    , Inner(stage)
     , Work(execution)
   {
     this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long event, void* self, void*) {
-      if (event == vtkCommand::ProgressEvent)
-      {
-        static_cast<Listener*>(self)->passProgressOn();
-      }
+    this->Command->SetCallback([](vtkObject*, unsigned long event, void* self, void* data) {
+      static_cast<Listener*>(self)->receive(event, static_cast<const char*>(data));
     });
-    stage->AddObserver(vtkCommand::ProgressEvent, this->Command);
-    stage->AddObserver(vtkCommand::ErrorEvent, this->Command);
-    stage->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    for (const auto event :
+      { vtkCommand::ProgressEvent, vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
+    {
+      this->Inner.filter->AddObserver(event, this->Command);
+    }
+    this->Inner.filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
   }
   ~Listener()
   {
-    this->Stage->RemoveObserver(this->Command);
-    this->Stage->GetExecutive()->RemoveObserver(this->Command);
+    this->Inner.filter->RemoveObserver(this->Command);
+    this->Inner.filter->GetExecutive()->RemoveObserver(this->Command);
   }
 
   bool Stopped = false;
 
 private:
-  void passProgressOn()
+  void receive(unsigned long event, const char* text)
   {
-    this->Stopped =
-      this->Stopped || (this->Work.progress && !this->Work.progress(this->Stage->GetProgress()));
-    this->Stage->SetAbortExecute(this->Stopped);
+    if (event == vtkCommand::ProgressEvent)
+    {
+      this->passProgressOn();
+    }
+    else if (event == vtkCommand::WarningEvent && this->Inner.tellsWarnings)
+    {
+      warn(this->Filter, text);
+    }
   }
 
-  vtkAlgorithm* Stage;
+  void passProgressOn()
+  {
+    vtkAlgorithm* stage = this->Inner.filter;
+    this->Stopped =
+      this->Stopped || (this->Work.progress && !this->Work.progress(stage->GetProgress()));
+    stage->SetAbortExecute(this->Stopped);
+  }
+
+  vtkAlgorithm* Filter;
+  const Stage& Inner;
   const Execution& Work;
   vtkNew<vtkCallbackCommand> Command;
 };
 
-void runStage(vtkAlgorithm* stage, const Execution& execution)
+void runStage(vtkAlgorithm* filter, const Stage& toRun, const Execution& execution)
 {
-  const Listener listener(stage, execution);
+  const Listener listener(filter, toRun, execution);
+  vtkAlgorithm* stage = toRun.filter;
   stage->Update();
   if (listener.Stopped)
   {
@@ -73,12 +103,12 @@ void runStage(vtkAlgorithm* stage, const Execution& execution)
 }
 }
 
-void runStages(const std::vector<Stage>& stages, const Execution& execution)
+void runStages(vtkAlgorithm* filter, const std::vector<Stage>& stages, const Execution& execution)
 {
   double done = 0;
   for (const Stage& stage : stages)
   {
-    runStage(stage.filter, execution.between(done, done + stage.share));
+    runStage(filter, stage, execution.between(done, done + stage.share));
     done += stage.share;
   }
 }

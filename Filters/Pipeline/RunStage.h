@@ -15,12 +15,16 @@ struct Stage
 {
   vtkAlgorithm* filter;
   double share; ///< of the progress that the stages report together; the shares add up to 1
+  bool tellsWarnings =
+    true; ///< false: only compared with, so its warnings say nothing of the result
 };
 
-/// Updates the stages in order. Their progress goes to `execution`; nothing is printed.
+/// Updates the stages in order. Their progress goes to `execution`, their warnings become warnings of
+/// `filter`; nothing else is printed.
+/// @param filter        the one that the stages work in
 /// @throw Aborted       execution wants to stop
 /// @throw InvalidInput  the error message of the first stage that fails
-void runStages(const std::vector<Stage>& stages, const Execution& execution);
+void runStages(vtkAlgorithm* filter, const std::vector<Stage>& stages, const Execution& execution);
 }
 
 #endif

@@ -3,11 +3,14 @@
 #include "Conversion/Axis.h"
 #include "Conversion/Balls.h"
 #include "Conversion/Parts.h"
+#include "Conversion/Verdict.h"
+#include "Conversion/Warnings.h"
 
 #include "FilterTest.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
@@ -167,6 +170,63 @@ TEST(Conversion, FindsTheCellsOfParts)
   EXPECT_EQ(cells.front(), 0);
   EXPECT_EQ(static_cast<std::ptrdiff_t>(cells.size()) - 1,
     std::count(values().parts.partOfCell.begin(), values().parts.partOfCell.end(), 1));
+}
+
+bool sameWarning(const medial::Warning& a, const medial::Warning& b)
+{
+  return a.code == b.code && a.text == b.text && a.count == b.count && a.place == b.place &&
+    a.doubtsSolid == b.doubtsSolid;
+}
+
+medial::Warnings madeUpWarnings()
+{
+  return { { "noise", "Noise, with \"<&>\" in it.", 5, medial::Point(0.1, -2, 1e300), true },
+    { "open-surface", "It is open.", 0, {}, false } };
+}
+
+TEST(Conversion, ReadsTheWarningsThatItWrote)
+{
+  const medial::Warnings written = madeUpWarnings();
+  const vtkSmartPointer<vtkPolyData> data = axisData();
+  EXPECT_TRUE(medial::readWarnings(data->GetFieldData()).empty());
+  medial::addWarnings(data->GetFieldData(), {});
+  EXPECT_EQ(data->GetFieldData()->GetAbstractArray("WarningCode"), nullptr);
+  medial::addWarnings(data->GetFieldData(), written);
+  const vtkSmartPointer<vtkDataObject> fromFile = filterTest::writtenAndRead(data);
+  for (vtkFieldData* field : { data->GetFieldData(), fromFile->GetFieldData() })
+  {
+    const medial::Warnings read = medial::readWarnings(field);
+    EXPECT_TRUE(std::equal(read.begin(), read.end(), written.begin(), written.end(), sameWarning));
+  }
+}
+
+TEST(Conversion, AddsWarningsToThoseThatAreThereOnce)
+{
+  const medial::Warnings first = madeUpWarnings();
+  medial::Warnings more = first;
+  more[1].count = 3;
+  vtkNew<vtkFieldData> field;
+  medial::addWarnings(field, first);
+  medial::addWarnings(field, more);
+  const medial::Warnings read = medial::readWarnings(field);
+  ASSERT_EQ(read.size(), 3u);
+  EXPECT_TRUE(sameWarning(read[0], first[0]));
+  EXPECT_TRUE(sameWarning(read[1], first[1]));
+  EXPECT_TRUE(sameWarning(read[2], more[1]));
+}
+
+TEST(Conversion, ReadsWhatTheStagesHaveFoundOut)
+{
+  const vtkSmartPointer<vtkUnstructuredGrid> balls = ballGrid();
+  const vtkSmartPointer<vtkPolyData> axis = axisData();
+  EXPECT_FALSE(medial::readFindings(balls, nullptr).axis);
+  medial::addWarnings(axis->GetFieldData(), madeUpWarnings());
+  const medial::Findings findings = medial::readFindings(balls, axis);
+  EXPECT_EQ(findings.powerShape, (medial::Betti{ 1, 0, 0 }));
+  ASSERT_TRUE(findings.axis);
+  EXPECT_EQ(findings.axis->unpruned, values().axis.betti);
+  EXPECT_TRUE(findings.axis->topologyKept);
+  EXPECT_EQ(findings.warnings.size(), 2u);
 }
 
 TEST(Conversion, WritesAContactOfOnePointAsAVertex)

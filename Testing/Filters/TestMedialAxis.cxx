@@ -41,8 +41,9 @@ TEST(MedialAxis, HasTheArraysOfItsHeader)
       "ObjectAngle double 1", "PolygonId idtype 1", "SiteSamples idtype 2" }));
   std::vector<std::string> expected = filterTest::passedOn(boxPipeline().balls->GetOutput());
   for (const char* array : { "BallOwner idtype 1", "BallPoleVolume double 1", "BallVolume double 1",
-         "BettiAxis idtype 3", "Certificate unsigned char 1", "Fallback unsigned char 1",
-         "Kappa double 1", "NumberOfOffAxisBalls idtype 1", "SampleDiagonal double 1" })
+         "BettiAxis idtype 3", "BettiUnprunedAxis idtype 3", "Certificate unsigned char 1",
+         "Fallback unsigned char 1", "Kappa double 1", "NumberOfOffAxisBalls idtype 1",
+         "SampleDiagonal double 1", "TopologyKept unsigned char 1" })
   {
     expected.emplace_back(array);
   }

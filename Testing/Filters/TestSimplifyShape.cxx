@@ -130,6 +130,7 @@ TEST(SimplifyShape, MakesTheUnprunedPartsAndCrustWhenAsked)
   }
   vtkNew<vtkPowerCrust> crust;
   crust->SetInputConnection(boxPipeline().balls->GetOutputPort());
+  crust->SetAxisConnection(boxPipeline().parts->GetOutputPort());
   crust->Update();
   vtkMedialPartDecomposition* parts = simplify->GetUnprunedPartDecomposition();
   EXPECT_TRUE(same(parts->GetOutput(), boxPipeline().parts->GetOutput()));

@@ -109,4 +109,14 @@ const char* nameOf(const Verdict& verdict)
 {
   return verdict.certified ? "certified" : "not certified";
 }
+
+std::string sentenceOf(const Verdict& verdict)
+{
+  std::string result = text("The surface is ", nameOf(verdict));
+  for (const std::string& reason : verdict.reasons)
+  {
+    result += (&reason == &verdict.reasons.front() ? ": " : "; ") + reason;
+  }
+  return result;
+}
 }

@@ -56,6 +56,9 @@ Verdict verdict(const Findings& findings);
 
 /// "certified" or "not certified".
 const char* nameOf(const Verdict& verdict);
+
+/// "The surface is not certified: the surface is not closed; ...", for people.
+std::string sentenceOf(const Verdict& verdict);
 }
 
 #endif
