@@ -113,8 +113,9 @@ std::vector<Option> optionsOf(Arguments& arguments)
     { "--picture", "", "also draws the stages; needs an X server (DISPLAY), see Examples/run",
       turnsOn(arguments.picture) },
     { "--strict", "",
-      "fails (exit 3) unless power shape, axis, pruned axis and surface have the\n"
-      "same topology, and the surface is closed",
+      "fails (exit 3) unless the result is certified: power shape, axis, pruned axis\n"
+      "and surface have the same topology, the surface is closed, no warning says\n"
+      "that the samples may not determine the solid",
       turnsOn(arguments.strict) },
     { "--quiet", "", "prints errors only", turnsOn(arguments.quiet) },
     { "--help", "", "prints this", turnsOn(arguments.help) },
@@ -181,7 +182,7 @@ Results, all or none:
   pruned.vtp             what pruning left of it
   surface.vtp  .stl      surface of the simplified solid; .stl in triangles
   parts.csv history.csv  the parts; what each iteration removed
-  report.json            counts, Betti numbers, certificate, volumes, times
+  report.json            counts, Betti numbers, verdict, warnings, volumes, times
   samples axis parts pruned surface overview .png with --picture
 
 Exit: 0 done, 1 wrong usage, 2 input or output can't be used, 3 see --strict,

@@ -6,6 +6,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
+#include <algorithm>
 #include <iostream>
 #include <vector>
 
@@ -65,11 +66,12 @@ void capture(bool quiet)
   vtkOutputWindow::SetInstance(window);
 }
 
-void clear()
+void clear(const std::vector<std::string>& told)
 {
-  if (!Quiet && Errors.empty())
+  for (const std::string& warning : Warnings)
   {
-    for (const std::string& warning : Warnings)
+    const bool isNew = std::find(told.begin(), told.end(), warning) == told.end();
+    if (!Quiet && Errors.empty() && isNew)
     {
       std::cerr << "warning: " << warning << '\n';
     }

@@ -3,6 +3,7 @@
 #define Messages_h
 
 #include <string>
+#include <vector>
 
 /// Collects the errors and warnings of VTK's readers, filters and writers, which VTK would print.
 namespace messages
@@ -13,7 +14,8 @@ void capture(bool quiet);
 
 /// Forgets the errors and warnings so far. If there was no error, it first prints the warnings, one line
 /// each, unless they are to be quiet.
-void clear();
+/// @param told  warnings that the user reads elsewhere: they are not printed
+void clear(const std::vector<std::string>& told = {});
 
 /// The first error since the last clear(), without VTK's file, line and object; "" if there was none.
 std::string error();

@@ -2,6 +2,7 @@
 #include "Progress.h"
 
 #include "Messages.h"
+#include "Verdict.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
@@ -109,7 +110,7 @@ private:
     }
   }
 
-  /// The stage's warnings are printed below its bar. Errors are kept for who updates the filter.
+  /// The stage's warnings are printed below its bar, but for those that the summary tells. Errors are kept for who updates the filter.
   void end()
   {
     if (!this->Line)
@@ -124,7 +125,7 @@ private:
     else
     {
       this->Line->finish(this->Seconds);
-      messages::clear();
+      messages::clear(eventsOf(this->Filter->GetOutputDataObject(0)));
     }
     this->Line.reset();
   }

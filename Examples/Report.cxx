@@ -64,6 +64,23 @@ std::string joined(const std::vector<std::string>& items, const char* separator)
   return text;
 }
 
+/// A JSON array with a line for each row.
+std::string rowsOf(const std::vector<std::string>& rows)
+{
+  return rows.empty() ? "[]" : "[\n    " + joined(rows, ",\n    ") + "\n  ]";
+}
+
+/// A JSON string. The texts of the filters have no control characters.
+std::string quoted(const std::string& text)
+{
+  std::string result;
+  for (const char c : text)
+  {
+    result += c == '"' || c == '\\' ? std::string{ '\\', c } : std::string{ c };
+  }
+  return '"' + result + '"';
+}
+
 /// A JSON object; `separator` stands between its members.
 std::string object(const Members& members, const char* separator = ", ")
 {
@@ -117,7 +134,45 @@ std::string iterations(vtkTable* history)
       { "refused", number(value("Refused")) },
     }));
   }
-  return rows.empty() ? "[]" : "[\n    " + joined(rows, ",\n    ") + "\n  ]";
+  return rowsOf(rows);
+}
+
+std::string verdict(vtkSimplifyShape* simplify)
+{
+  const Verdict verdict = verdictOf(simplify->GetOutput());
+  std::vector<std::string> reasons;
+  for (const std::string& reason : verdict.reasons)
+  {
+    reasons.push_back(quoted(reason));
+  }
+  return inBraces(
+    { { "name", quoted(verdict.name) }, { "differs", "[" + joined(reasons, ", ") + "]" } });
+}
+
+std::string place(const Warning& warning)
+{
+  if (!warning.place)
+  {
+    return "null";
+  }
+  const auto [x, y, z] = *warning.place;
+  return "[" + joined({ number(x), number(y), number(z) }, ", ") + "]";
+}
+
+std::string warnings(vtkSimplifyShape* simplify)
+{
+  std::vector<std::string> rows;
+  for (const Warning& warning : warningsOf(simplify->GetOutput()))
+  {
+    rows.push_back(inBraces({
+      { "code", quoted(warning.code) },
+      { "text", quoted(warning.text) },
+      { "count", number(warning.count) },
+      { "place", place(warning) },
+      { "doubtsSolid", truth(warning.doubtsSolid) },
+    }));
+  }
+  return rowsOf(rows);
 }
 
 std::string balls(vtkSimplifyShape* simplify)
@@ -207,30 +262,29 @@ std::string bettiLine(vtkSimplifyShape* simplify)
     ", pruned " + joined(bettiNumbers(simplify->GetMedialPrune()->GetOutput(), "BettiAxis"), " ");
   line +=
     ", surface " + joined(bettiNumbers(simplify->GetPowerCrust()->GetOutput(), "BettiCrust"), " ");
-  const std::vector<std::string> differing = contradictions(simplify);
-  line += differing.empty() ? ": certified\n" : ": NOT CERTIFIED\n";
-  for (const std::string& text : differing)
+  const Verdict verdict = verdictOf(simplify->GetOutput());
+  line += verdict.certified() ? ": certified\n" : ": NOT CERTIFIED\n";
+  for (const std::string& reason : verdict.reasons)
   {
-    line += "            " + text + '\n';
+    line += "            " + reason + '\n';
   }
-  const bool isFallback = fieldValue(axis, "Fallback") != 0;
-  return line +
-    (isFallback ? "            the axis is the collapsed power shape (fallback): rough sheets\n"
-                : "");
-}
+  return line;
 }
 
-namespace
+std::string warningLines(vtkSimplifyShape* simplify)
 {
-std::string verdict(vtkSimplifyShape* simplify)
-{
-  std::vector<std::string> texts;
-  for (const std::string& text : contradictions(simplify))
+  std::ostringstream out;
+  for (const Warning& warning : warningsOf(simplify->GetOutput()))
   {
-    texts.push_back('"' + text + '"');
+    out << "  warning   " << warning.text;
+    if (warning.place)
+    {
+      const auto [x, y, z] = *warning.place;
+      out << " One is at (" << x << ", " << y << ", " << z << ").";
+    }
+    out << '\n';
   }
-  return inBraces({ { "name", texts.empty() ? "\"certified\"" : "\"not certified\"" },
-    { "differs", "[" + joined(texts, ", ") + "]" } });
+  return out.str();
 }
 }
 
@@ -249,6 +303,7 @@ std::string report(
         { "certificate",
           truth(fieldValue(simplify->GetMedialAxis()->GetOutput(), "Certificate") != 0) },
         { "verdict", verdict(simplify) },
+        { "warnings", warnings(simplify) },
         { "fallback", truth(fieldValue(simplify->GetMedialAxis()->GetOutput(), "Fallback") != 0) },
         { "iterations",
           iterations(vtkTable::SafeDownCast(simplify->GetMedialPrune()->GetOutputDataObject(1))) },
@@ -282,9 +337,10 @@ std::string summary(
       << " triangles in "
       << grouped(fieldValue(simplify->GetUnprunedPartDecomposition()->GetOutput(), "NumberOfParts"))
       << " parts\n"
-      << scheduleLines(simplify) << surfaceLine(simplify) << bettiLine(simplify) << "  "
-      << std::fixed << std::setprecision(1) << total << " s, " << std::setprecision(0)
-      << peakMemoryMiB() << " MiB; results in " << arguments.output << "/\n";
+      << scheduleLines(simplify) << surfaceLine(simplify) << bettiLine(simplify)
+      << warningLines(simplify) << "  " << std::fixed << std::setprecision(1) << total << " s, "
+      << std::setprecision(0) << peakMemoryMiB() << " MiB; results in " << arguments.output
+      << "/\n";
   return out.str();
 }
 

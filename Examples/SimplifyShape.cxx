@@ -200,7 +200,7 @@ ExitCode simplify(const Arguments& arguments)
   {
     addPictures(filter, *drawing, folder);
   }
-  if (arguments.strict && !contradictions(filter).empty())
+  if (arguments.strict && !verdictOf(filter->GetOutput()).certified())
   {
     std::cerr << "SimplifyShape: the result is not certified; see verdict in " << arguments.output
               << "/report.json\n";

@@ -1,70 +1,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Verdict.h"
 
-#include "Tables.h"
-
-#include <vtkMedialAxis.h>
-#include <vtkMedialPrune.h>
-#include <vtkPolyData.h>
-#include <vtkPowerCrust.h>
-#include <vtkSimplifyShape.h>
-
-#include <array>
-#include <sstream>
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkFieldData.h>
+#include <vtkStringArray.h>
 
 namespace
 {
-/// The Betti numbers of a stage.
-struct Topology
+/// Empty where there is no such array.
+std::vector<std::string> texts(vtkDataObject* output, const char* name)
 {
-  const char* stage;
-  std::array<double, 3> betti;
-};
-
-Topology topologyOf(const char* stage, vtkDataObject* output, const char* array)
-{
-  return { stage,
-    { fieldValue(output, array, 0), fieldValue(output, array, 1), fieldValue(output, array, 2) } };
-}
-
-void compare(const Topology& before, const Topology& after, std::vector<std::string>& result)
-{
-  if (before.betti != after.betti)
-  {
-    const auto [pieces, tunnels, voids] = after.betti;
-    const auto [oldPieces, oldTunnels, oldVoids] = before.betti;
-    std::ostringstream text;
-    text << "the " << after.stage << " has " << pieces << " pieces, " << tunnels << " tunnels, "
-         << voids << " voids, the " << before.stage << " " << oldPieces << ", " << oldTunnels
-         << ", " << oldVoids;
-    result.push_back(text.str());
-  }
-}
-}
-
-std::vector<std::string> contradictions(vtkSimplifyShape* simplify)
-{
-  vtkPolyData* axisData = simplify->GetMedialAxis()->GetOutput();
-  vtkMedialPrune* prune = simplify->GetMedialPrune();
-  vtkPolyData* surfaceData = simplify->GetPowerCrust()->GetOutput();
-  const Topology shape = topologyOf("power shape", axisData, "BettiPowerShape");
-  const Topology axis = topologyOf("axis", axisData, "BettiAxis");
-  const Topology pruned = topologyOf("pruned axis", prune->GetOutput(), "BettiAxis");
-  const Topology surface = topologyOf("surface", surfaceData, "BettiCrust");
+  auto* array = vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray(name));
   std::vector<std::string> result;
-  compare(shape, axis, result);
-  if (prune->GetTopology() == vtkMedialPrune::COLLAPSE)
+  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
   {
-    compare(axis, pruned, result);
+    result.push_back(array->GetValue(i));
   }
-  compare(pruned, surface, result);
-  if (fieldValue(surfaceData, "Closed") == 0)
+  return result;
+}
+}
+
+std::vector<Warning> warningsOf(vtkDataObject* output)
+{
+  std::vector<Warning> result;
+  const std::vector<std::string> codes = texts(output, "WarningCode");
+  const std::vector<std::string> sentences = texts(output, "WarningText");
+  for (std::size_t i = 0; i < codes.size(); ++i)
   {
-    result.emplace_back("the surface is not closed");
+    const auto value = [&](const char* array, int component = 0) {
+      return output->GetFieldData()->GetArray(array)->GetComponent(
+        static_cast<vtkIdType>(i), component);
+    };
+    result.push_back(
+      { codes[i], sentences[i], value("WarningCount"), {}, value("WarningDoubtsSolid") != 0 });
+    if (value("WarningHasPlace") != 0)
+    {
+      result.back().place = { value("WarningPlace", 0), value("WarningPlace", 1),
+        value("WarningPlace", 2) };
+    }
   }
-  else if (fieldValue(surfaceData, "Manifold") == 0)
+  return result;
+}
+
+Verdict verdictOf(vtkDataObject* surface)
+{
+  const std::vector<std::string> name = texts(surface, "Verdict");
+  return { name.empty() ? "not certified" : name.front(), texts(surface, "VerdictReasons") };
+}
+
+std::vector<std::string> eventsOf(vtkDataObject* output)
+{
+  std::vector<std::string> result;
+  for (const Warning& warning : warningsOf(output))
   {
-    result.emplace_back("the surface is not a manifold");
+    result.push_back(warning.text);
   }
+  const Verdict verdict = verdictOf(output);
+  std::string sentence = "The surface is " + verdict.name;
+  for (std::size_t i = 0; i < verdict.reasons.size(); ++i)
+  {
+    sentence += (i == 0 ? ": " : "; ") + verdict.reasons[i];
+  }
+  result.push_back(sentence);
   return result;
 }

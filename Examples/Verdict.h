@@ -2,16 +2,40 @@
 #ifndef Verdict_h
 #define Verdict_h
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
-class vtkSimplifyShape;
+class vtkDataObject;
 
-/// What contradicts the word "certified", a sentence each; empty: nothing does. The result is certified if
-/// power shape, axis, pruned axis and surface have the same Betti numbers, each computed from its own
-/// cells (the pruned axis may differ where topology is not kept), and the surface is a closed manifold.
-///
-/// Reads the outputs of the filter's stages after an update.
-std::vector<std::string> contradictions(vtkSimplifyShape* simplify);
+// What the filters say about their results, from the field data of an output. Only the surface has a
+// verdict.
+
+/// Something doubtful that a filter has found.
+struct Warning
+{
+  std::string code;
+  std::string text;
+  double count = 0;
+  std::optional<std::array<double, 3>> place;
+  bool doubtsSolid = false;
+};
+
+std::vector<Warning> warningsOf(vtkDataObject* output);
+
+/// Do all stages agree, and does nothing speak against the samples? See vtkPowerCrust.h.
+struct Verdict
+{
+  std::string name; ///< "certified" or "not certified"
+  std::vector<std::string> reasons;
+
+  bool certified() const { return this->name == "certified"; }
+};
+
+Verdict verdictOf(vtkDataObject* surface);
+
+/// The warning events of VTK that say what is in the output, too.
+std::vector<std::string> eventsOf(vtkDataObject* output);
 
 #endif
