@@ -5,4 +5,5 @@ The classes are VTK filters; `simplify` runs all of them, from numpy to numpy if
 """
 
 from .vtkFiltersMedial import *
-from .simplification import Simplified, arrays, simplify
+from .simplification import (
+    Doubt, MedialAxisWarning, Simplified, Verdict, arrays, doubts_of, simplify, verdict_of)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any, Iterable, NamedTuple, Sequence
 
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
@@ -11,13 +12,44 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPointSet, vtkPolyDat
 from .vtkFiltersMedial import vtkSimplifyShape
 
 
+class MedialAxisWarning(UserWarning):
+    """What `simplify` issues, by Python's `warnings`, about doubtful points and results."""
+
+
+class Doubt(NamedTuple):
+    """A warning of a filter; Filters/README.md lists the codes."""
+
+    code: str  # the kind, for programs
+    text: str  # what was seen and what to do
+    count: int  # how many points, edges, ... it is about
+    place: tuple[float, float, float] | None  # where one of them is
+    doubts_solid: bool  # the points may not determine the solid
+
+
+class Verdict(NamedTuple):
+    """Do all stages agree, and does nothing speak against the points? See vtkPowerCrust."""
+
+    certified: bool
+    reasons: list[str]  # what differs or speaks against it, a sentence each
+
+
 class Simplified(NamedTuple):
     """What `simplify` returns: outputs 0 to 3 of vtkSimplifyShape."""
 
-    surface: vtkPolyData  # closed, oriented outwards
+    surface: vtkPolyData  # oriented outwards; closed, if it is certified
     axis: vtkPolyData  # pruned, with PartId
     table: vtkTable  # a row for each part
     history: vtkTable  # a row for each iteration
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict on the surface and all stages before it."""
+        return verdict_of(self.surface)
+
+    @property
+    def doubts(self) -> list[Doubt]:
+        """The warnings of all stages."""
+        return doubts_of(self.surface)
 
 
 def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None) -> Simplified:
@@ -28,10 +60,12 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None) -> S
               (measure, threshold, passes), where measure is a name like "RelativeVolume"; None: the
               default of vtkMedialPrune
     Raises ValueError where the points or the schedule can't be used; the message says why.
+    Issues a MedialAxisWarning for each doubt, and where the surface is not certified.
     """
     filter = vtkSimplifyShape()
     for sender in (filter, filter.GetMedialPrune(), filter.GetExecutive()):
         sender.AddObserver("ErrorEvent", lambda *_: None)  # else VTK prints what is raised below
+    filter.AddObserver("WarningEvent", lambda *_: None)  # and what is issued
     filter.SetInputData(points if isinstance(points, vtkPointSet) else _cloud(points))
     if isinstance(schedule, str):
         filter.SetSchedule(schedule)
@@ -43,7 +77,31 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None) -> S
         filter.Update()
     if filter.GetErrorMessage():
         raise ValueError(filter.GetErrorMessage())
-    return Simplified(*(filter.GetOutputDataObject(port) for port in range(4)))
+    result = Simplified(*(filter.GetOutputDataObject(port) for port in range(4)))
+    for text in _issues(result):
+        warnings.warn(text, MedialAxisWarning, stacklevel=2)
+    return result
+
+
+def doubts_of(output: vtkDataObject) -> list[Doubt]:
+    """The warnings in the field data of any output of the filters, in the order they were found."""
+    field = arrays(output)
+    return [
+        Doubt(code, field["WarningText"][i], int(field["WarningCount"][i]),
+              tuple(field["WarningPlace"][i].tolist()) if field["WarningHasPlace"][i] else None,
+              bool(field["WarningDoubtsSolid"][i]))
+        for i, code in enumerate(field.get("WarningCode", []))]
+
+
+def verdict_of(surface: vtkDataObject) -> Verdict:
+    """The verdict in the field data of a surface, from the filters or from a file.
+
+    Raises ValueError where it has none.
+    """
+    field = arrays(surface)
+    if "Verdict" not in field:
+        raise ValueError("there is no field array 'Verdict': take the output of vtkPowerCrust or vtkSimplifyShape")
+    return Verdict(field["Verdict"] == ["certified"], field.get("VerdictReasons", []))
 
 
 def arrays(data: vtkDataObject) -> dict[str, Any]:
@@ -69,6 +127,13 @@ def arrays(data: vtkDataObject) -> dict[str, Any]:
         result["offsets"] = vtk_to_numpy(data.GetPolys().GetOffsetsArray())
         result["corners"] = vtk_to_numpy(data.GetPolys().GetConnectivityArray())
     return result
+
+
+def _issues(result: Simplified) -> Iterable[str]:
+    for doubt in result.doubts:
+        yield doubt.text
+    if not result.verdict.certified:
+        yield "the surface is not certified: " + "; ".join(result.verdict.reasons)
 
 
 def _cloud(points: Any) -> vtkPolyData:

@@ -7,12 +7,15 @@ import os
 import subprocess
 import sys
 import unittest
+import warnings
 
 import numpy
 
 import medialaxis
 from medialaxis import arrays, simplify
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 
 def ellipsoid(count=800):
@@ -22,6 +25,33 @@ def ellipsoid(count=800):
     turn = numpy.pi * (3 - numpy.sqrt(5)) * i
     around = numpy.sqrt(1 - z * z)
     return numpy.stack([3 * around * numpy.cos(turn), 2 * around * numpy.sin(turn), z], axis=1)
+
+
+def surface_of(points):
+    """The points, with one triangle: an open surface."""
+    result = vtkPolyData()
+    places = vtkPoints()
+    places.SetData(numpy_to_vtk(points, deep=True))
+    result.SetPoints(places)
+    result.SetPolys(vtkCellArray())
+    result.GetPolys().InsertNextCell(3, [0, 1, 2])
+    return result
+
+
+def add_warning(data, code, doubts_solid):
+    """As a filter before would."""
+    field = data.GetFieldData()
+    for name, text in (("WarningCode", code), ("WarningText", "A test has made this up.")):
+        texts = vtkStringArray()
+        texts.SetName(name)
+        texts.InsertNextValue(text)
+        field.AddArray(texts)
+    for name, values in (("WarningCount", [7]), ("WarningPlace", [[1.0, 2.0, 3.0]]),
+                         ("WarningHasPlace", [1]), ("WarningDoubtsSolid", [int(doubts_solid)])):
+        array = numpy_to_vtk(numpy.array(values), deep=True)
+        array.SetName(name)
+        field.AddArray(array)
+    data.Modified()
 
 
 class Simplify(unittest.TestCase):
@@ -54,6 +84,38 @@ class Simplify(unittest.TestCase):
                          arrays(listed.history)["Threshold"].tolist())
         with self.assertRaisesRegex(ValueError, "word 2 of the schedule, 'x3'"):
             simplify(ellipsoid(400), "t5 x3")
+
+    def test_tells_the_verdict(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            result = simplify(ellipsoid())
+        self.assertEqual(result.verdict, medialaxis.Verdict(True, []))
+        self.assertEqual(result.doubts, [])
+        self.assertEqual(medialaxis.verdict_of(result.surface), result.verdict)
+        with self.assertRaisesRegex(ValueError, "no field array 'Verdict'"):
+            medialaxis.verdict_of(result.axis)
+
+    def test_issues_each_doubt_as_a_warning(self):
+        points = surface_of(ellipsoid())
+        for doubts_solid in (False, True):
+            add_warning(points, "made-up", doubts_solid)
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                result = simplify(points)
+            open_surface, made_up = sorted(result.doubts, reverse=True)
+            self.assertEqual(made_up, ("made-up", "A test has made this up.", 7, (1, 2, 3), doubts_solid))
+            self.assertEqual(open_surface.code, "open-surface")
+            self.assertEqual(open_surface.count, 3)
+            self.assertEqual(medialaxis.doubts_of(result.axis), result.doubts)
+            texts = [str(warning.message) for warning in caught]
+            self.assertEqual(texts[:2], [doubt.text for doubt in result.doubts])
+            self.assertEqual(result.verdict.certified, not doubts_solid)
+            self.assertEqual(len(texts), 3 if doubts_solid else 2)
+            if doubts_solid:
+                self.assertIn("not certified: " + result.verdict.reasons[0], texts[2])
+            for warning in caught:
+                self.assertIs(warning.category, medialaxis.MedialAxisWarning)
+                self.assertEqual(warning.filename, __file__)
 
     def test_says_what_is_wrong(self):
         with self.assertRaisesRegex(ValueError, "shape"):
