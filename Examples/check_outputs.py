@@ -101,6 +101,39 @@ class Outputs(ProgramTest):
         self.assertEqual(contents(out), before)
         self.assert_nothing_hidden("out")
 
+    def test_link_in_the_folder_is_replaced_and_what_it_leads_to_stays(self):
+        _, out = self.simplify(ellipsoid(300))
+        self.write("theirs.vtp", "the user's")
+        os.remove(self.path("out/axis.vtp"))
+        os.symlink("../theirs.vtp", self.path("out/axis.vtp"))
+        self.simplify(ellipsoid(400))
+        self.assertFalse(os.path.islink(self.path("out/axis.vtp")))
+        with open(self.path("theirs.vtp")) as file:
+            self.assertEqual(file.read(), "the user's")
+        self.assert_nothing_hidden("out", "theirs.vtp")
+
+    def test_folder_whose_parent_cannot_be_written_to(self):
+        def be_nobody():
+            if os.getuid() == 0:
+                os.setgid(65534)
+                os.setuid(65534)
+        points = self.write_xyz(ellipsoid(300))
+        os.mkdir(self.path("parent"))
+        os.mkdir(self.path("parent/out"))
+        os.chmod(self.path("parent/out"), 0o777)
+        os.chmod(self.folder.name, 0o755)
+        os.chmod(self.path("parent"), 0o555)
+        for _ in range(2):
+            done = subprocess.run([PROGRAM, points, "--output", self.path("parent/out")], capture_output=True,
+                                  text=True, preexec_fn=be_nobody)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(len(os.listdir(self.path("parent/out"))), 10)
+        done = subprocess.run([PROGRAM, points, "--output", self.path("parent/new")], capture_output=True,
+                              text=True, preexec_fn=be_nobody)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("Permission denied", done.stderr)
+        os.chmod(self.path("parent"), 0o755)
+
     def test_full_disk_gives_2_and_leaves_the_old_results(self):
         _, out = self.simplify(ellipsoid(600))
         before = contents(out)
@@ -178,7 +211,7 @@ class Outputs(ProgramTest):
             self.assertTrue(any(result.items() <= contents(folder).items() for folder in alone))
 
     def test_killed_runs_leave_whole_results(self):
-        done = subprocess.run([sys.executable, KILLED_RUNS, PROGRAM, "--count", "21"], capture_output=True, text=True)
+        done = subprocess.run([sys.executable, KILLED_RUNS, PROGRAM, "--count", "22"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     @unittest.skipUnless(shutil.which("Xvfb"), "needs Xvfb")
@@ -189,6 +222,18 @@ class Outputs(ProgramTest):
                 done = self.run_program(points, "--picture", "--output", self.path("out"), environment=environment)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.assertEqual(len(os.listdir(self.path("out"))), 16)
+
+    @unittest.skipUnless(shutil.which("Xvfb"), "needs Xvfb")
+    def test_signal_while_it_draws_costs_only_the_pictures(self):
+        with x_server("-noreset") as (_, environment):
+            with self.start(ellipsoid(3000), "--picture", environment=environment) as process:
+                while not os.path.exists(self.path("out")):
+                    time.sleep(0.01)
+                process.send_signal(signal.SIGINT)
+                process.communicate()
+        self.assertEqual(process.returncode, 130)
+        self.assertEqual(len(os.listdir(self.path("out"))), 10)
+        self.assert_nothing_hidden("out")
 
     @unittest.skipUnless(shutil.which("Xvfb"), "needs Xvfb")
     def test_server_that_vanishes_costs_only_the_pictures(self):

@@ -5,6 +5,8 @@
 //   kill  the process dies before the call
 //   full  this call and all later ones that need space on the disk fail
 //   io    this call and all later ones fail
+// With MEDIAL_NO_LINKS=hard the file system has no hard links, with MEDIAL_NO_LINKS=all no symbolic ones
+// either.
 
 #include <cerrno>
 #include <csignal>
@@ -41,6 +43,18 @@ bool fails(Need need)
   return way == "io" || need == Space;
 }
 
+/// True if the file system seems to lack links of this kind; then errno is set.
+bool lacksLinks(const std::string& kind)
+{
+  const char* lacking = std::getenv("MEDIAL_NO_LINKS");
+  if (!lacking || (lacking != kind && lacking != std::string("all")))
+  {
+    return false;
+  }
+  errno = EPERM;
+  return true;
+}
+
 template <typename Function>
 Function* original(const char* name)
 {
@@ -57,12 +71,16 @@ extern "C"
 
   int symlink(const char* target, const char* link)
   {
-    return fails(Space) ? -1 : original<int(const char*, const char*)>("symlink")(target, link);
+    return fails(Space) || lacksLinks("symbolic")
+      ? -1
+      : original<int(const char*, const char*)>("symlink")(target, link);
   }
 
   int link(const char* from, const char* to)
   {
-    return fails(Space) ? -1 : original<int(const char*, const char*)>("link")(from, to);
+    return fails(Space) || lacksLinks("hard")
+      ? -1
+      : original<int(const char*, const char*)>("link")(from, to);
   }
 
   int mkdir(const char* path, mode_t mode)

@@ -8,6 +8,7 @@ Each run has another input than the one before, and is ended by one of
   KILL TERM INT   the signal, at a random time
   limit           files may not be larger than a random size (ulimit -f)
   kill full io    it dies, or the disk is full or fails, from a random change of a file or folder on
+  nohard nolinks  not at all, but on a disk without hard links, or without any
   tmpfs           a disk with random space; only with --tmpfs DIR, a mounted tmpfs
 --every-step tries kill, full and io at each change, one after the other, instead.
 """
@@ -134,6 +135,11 @@ class Runs:
             self.check_message(done)
         return done.returncode != 0
 
+    def run_without_links(self, way, which):
+        environment = dict(os.environ, LD_PRELOAD=self.library, MEDIAL_NO_LINKS="hard" if way == "nohard" else "all")
+        subprocess.run(self.command(which), check=True, env=environment)
+        assert results(self.out).items() >= self.expected[which].items()
+
     def end_by_full_disk(self, which):
         free = os.statvfs(self.place).f_bavail * os.statvfs(self.place).f_frsize
         filler = os.path.join(self.place, "filler")
@@ -157,7 +163,7 @@ class Runs:
             way, sorted(name for name in {**new, **after} if after.get(name) != new.get(name)))
         if before:
             assert os.path.isfile(os.path.join(self.out, "folder/notes.txt"))
-        if way in ("TERM", "INT", "limit", "full", "tmpfs"):
+        if way in ("TERM", "INT", "limit", "full", "tmpfs", "nohard", "nolinks"):
             assert not hidden(self.place), "%s left %s" % (way, hidden(self.place))
         self.outcomes[way, "new" if after == new else "old"] += 1
 
@@ -168,6 +174,8 @@ class Runs:
             return self.end_by_limit(which)
         if way == "tmpfs":
             return self.end_by_full_disk(which)
+        if way.startswith("no"):
+            return self.run_without_links(way, which)
         return self.end_at_step(way, step or self.random.randint(1, 250), which)
 
     def run(self, way, old, step=0):
@@ -213,7 +221,7 @@ def main():
         if arguments.every_step:
             runs.run_every_step()
         else:
-            ways = ["KILL", "TERM", "INT", "limit", "kill", "full", "io"]
+            ways = ["KILL", "TERM", "INT", "limit", "kill", "full", "io", "KILL", "kill", "nohard", "nolinks"]
             runs.run_randomly(arguments.count, ["tmpfs"] if arguments.tmpfs else ways)
         runs.print_outcomes()
 
