@@ -2,17 +2,14 @@
 #include "ReadPoints.h"
 
 #include "Errors.h"
-#include "Messages.h"
 #include "ReadObj.h"
 #include "ReadPly.h"
 #include "ReadStl.h"
 #include "ReadText.h"
+#include "ReadXml.h"
 
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <array>
@@ -48,40 +45,17 @@ void checkReadable(const std::string& file)
   }
 }
 
-/// What one of VTK's readers finds.
-template <typename Reader>
-vtkSmartPointer<vtkPointSet> readWith(const std::string& file)
+vtkSmartPointer<vtkPolyData> read(const std::string& file, const std::string& extension)
 {
-  vtkNew<Reader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  vtkPointSet* output = reader->GetOutput();
-  if (!messages::error().empty())
-  {
-    throw InputError(
-      file + ": can't be read as " + lowerCaseExtension(file) + ": " + messages::error());
-  }
-  messages::clear();
-  return output;
-}
-
-template <vtkSmartPointer<vtkPolyData> Reader(const std::string&)>
-vtkSmartPointer<vtkPointSet> readBy(const std::string& file)
-{
-  return Reader(file);
-}
-
-vtkSmartPointer<vtkPointSet> read(const std::string& file, const std::string& extension)
-{
-  using Read = vtkSmartPointer<vtkPointSet> (*)(const std::string&);
+  using Read = vtkSmartPointer<vtkPolyData> (*)(const std::string&);
   static const std::pair<const char*, Read> readers[] = {
-    { ".ply", readBy<readPly> },
-    { ".stl", readBy<readStl> },
-    { ".obj", readBy<readObj> },
-    { ".vtp", readWith<vtkXMLPolyDataReader> },
-    { ".vtu", readWith<vtkXMLUnstructuredGridReader> },
-    { ".off", readBy<readOff> },
-    { ".xyz", readBy<readXyz> },
+    { ".ply", readPly },
+    { ".stl", readStl },
+    { ".obj", readObj },
+    { ".vtp", readVtp },
+    { ".vtu", readVtu },
+    { ".off", readOff },
+    { ".xyz", readXyz },
   };
   for (const auto& [name, reader] : readers)
   {

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ChildProcess.h"
+
+#include "Errors.h"
+#include "Signals.h"
+
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <fcntl.h>
+#include <fstream>
+#include <new>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace
+{
+void limit(int resource, rlim_t value)
+{
+  rlimit current = {};
+  getrlimit(resource, &current);
+  current.rlim_cur = current.rlim_max < value ? current.rlim_max : value;
+  setrlimit(static_cast<__rlimit_resource>(resource), &current);
+}
+
+/// Bytes of address space that the process has.
+std::size_t addressSpace()
+{
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+void apply(const Limits& limits)
+{
+  limit(RLIMIT_CORE, 0);
+  const double whole = std::floor(limits.seconds);
+  itimerval timer = {};
+  timer.it_value.tv_sec = static_cast<time_t>(whole);
+  timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (limits.seconds - whole));
+  setitimer(ITIMER_PROF, &timer, nullptr); // SIGPROF ends the process
+#ifndef __SANITIZE_ADDRESS__               // which takes terabytes of address space
+  limit(RLIMIT_AS, addressSpace() + limits.bytes);
+#endif
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  signals::restoreInChild();
+  const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDOUT_FILENO);
+  dup2(nowhere, STDERR_FILENO);
+}
+
+void writeAll(int pipe, const std::string& text)
+{
+  std::size_t written = 0;
+  while (written < text.size())
+  {
+    const ssize_t count = write(pipe, text.data() + written, text.size() - written);
+    if (count < 0 && errno != EINTR)
+    {
+      _exit(1);
+    }
+    written += count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+}
+
+std::string readAll(int pipe)
+{
+  std::string text;
+  char buffer[65536];
+  ssize_t count = 0;
+  while ((count = read(pipe, buffer, sizeof buffer)) != 0)
+  {
+    if (count < 0 && errno != EINTR)
+    {
+      break;
+    }
+    text.append(buffer, count > 0 ? static_cast<std::size_t>(count) : 0);
+  }
+  return text;
+}
+
+/// What the child does: the first byte tells how it ended. No destructor and no exit handler of the
+/// program runs here.
+[[noreturn]] void work(
+  const std::function<std::string()>& make, const Limits& limits, int pipe) noexcept
+{
+  try
+  {
+    apply(limits);
+    const std::string text = make();
+    writeAll(pipe, "r");
+    writeAll(pipe, text);
+  }
+  catch (const std::bad_alloc&)
+  {
+    _exit(1); // beyond the limit
+  }
+  catch (const std::exception& error)
+  {
+    writeAll(pipe, std::string("t") + error.what());
+  }
+  _exit(0);
+}
+}
+
+ChildResult inChildProcess(const std::function<std::string()>& make, const Limits& limits)
+{
+  int ends[2];
+  if (pipe(ends) != 0)
+  {
+    throw InputError(std::string("can't make a pipe: ") + std::strerror(errno));
+  }
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    close(ends[0]);
+    work(make, limits, ends[1]);
+  }
+  close(ends[1]);
+  if (child < 0)
+  {
+    close(ends[0]);
+    throw InputError(std::string("can't make a process: ") + std::strerror(errno));
+  }
+  std::string text = readAll(ends[0]);
+  close(ends[0]);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+  {
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || text.empty())
+  {
+    return { Ending::Died, "" };
+  }
+  const Ending ending = text[0] == 'r' ? Ending::Returned : Ending::Threw;
+  return { ending, text.erase(0, 1) };
+}
