@@ -74,11 +74,22 @@ void requireVolume(const DistinctSamples& distinct)
   }
   const Point normal = (b - a).cross(c - a).normalized();
   const auto fromPlane = [&](const Point& p) { return std::abs((p - a).dot(normal)); };
-  const double width = (b - a).norm() / fromLine(c); // how much a plane through them is tilted
-  if (fromPlane(farthest(fromPlane)) <= rounding * std::max(1.0, width))
+  const double length = (b - a).norm(), width = fromLine(c);
+  // Rounding tilts the plane through a, b, c by this much.
+  if (fromPlane(farthest(fromPlane)) > rounding * std::max(1.0, length / width))
   {
-    throw InvalidInput("all samples are in one plane; points of a closed surface are needed");
+    return;
   }
+  const double thin =
+    1e-3; // only words depend on it: thinner samples are a line with some rounding
+  if (width < thin * length)
+  {
+    throw InvalidInput("all samples are within ", width / distinct.frame.scale,
+      " of one line, which is ", length / distinct.frame.scale,
+      " long: too near to it to tell whether they enclose a volume; give tiny objects that are far "
+      "from each other one by one, and remove points that are far from all others");
+  }
+  throw InvalidInput("all samples are in one plane; points of a closed surface are needed");
 }
 
 std::array<Point, 8> guards(const std::vector<Point>& points)

@@ -138,6 +138,19 @@ TEST(PolarBalls, RefuseSamplesInAPlane)
   EXPECT_NE(messageOf(tilted).find("plane"), std::string::npos);
 }
 
+TEST(PolarBalls, RefuseTwoDistantSpecksBecauseOfTheirSize)
+{
+  std::vector<Point> specks;
+  for (int i = 0; i < 200; ++i)
+  {
+    const Point within(i % 5, i / 5 % 5, i / 25 % 4);
+    specks.push_back(Point::Constant(i % 2) + 1e-10 * within);
+  }
+  const std::string message = messageOf(specks);
+  EXPECT_EQ(message.find("plane"), std::string::npos) << message;
+  EXPECT_NE(message.find("of one line, which is 1.73205 long"), std::string::npos) << message;
+}
+
 TEST(PolarBalls, RefuseCoordinatesThatAreNotFinite)
 {
   for (const double bad : { std::numeric_limits<double>::quiet_NaN(),
