@@ -122,7 +122,7 @@ std::string_view Lines::takeLine()
   ++this->Number;
   const std::size_t begin = this->At;
   const std::size_t end = std::min(this->Text.find_first_of("\r\n", begin), this->Text.size());
-  this->At = end + (this->Text.substr(end, 2) == "\r\n" ? 2 : 1);
+  this->At = std::min(end + (this->Text.substr(end, 2) == "\r\n" ? 2 : 1), this->Text.size());
   const std::string_view line = this->Text.substr(begin, end - begin);
   return this->Division == Blanks ? line : line.substr(0, line.find('#'));
 }

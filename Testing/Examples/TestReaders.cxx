@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Errors.h"
+#include "Lines.h"
+#include "ReadObj.h"
+#include "ReadPly.h"
+#include "ReadStl.h"
+#include "ReadText.h"
+
+#include <gtest/gtest.h>
+
+#include <vtkIdList.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+using Read = vtkSmartPointer<vtkPolyData> (*)(const std::string& file);
+
+struct Format
+{
+  const char* name;
+  Read read;
+  std::string content; ///< a pyramid: five points, a square and four triangles; .stl: six triangles
+  int type;            ///< of its coordinates
+};
+
+template <typename Value>
+void append(std::string& text, Value value, bool isSwapped)
+{
+  std::array<char, sizeof(Value)> bytes;
+  std::memcpy(bytes.data(), &value, sizeof value);
+  if (isSwapped)
+  {
+    std::reverse(bytes.begin(), bytes.end());
+  }
+  text.append(bytes.data(), bytes.size());
+}
+
+const std::vector<std::array<double, 3>> Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 },
+  { 0, 1, 0 }, { 0.5, 0.5, 1 } };
+const std::vector<std::vector<std::int32_t>> Faces = { { 3, 2, 1, 0 }, { 0, 1, 4 }, { 1, 2, 4 },
+  { 2, 3, 4 }, { 3, 0, 4 } };
+
+std::string plyHeaderOf(const std::string& format, const std::string& type)
+{
+  return "ply\nformat " + format + " 1.0\nelement vertex 5\nproperty " + type + " x\nproperty " +
+    type + " y\nproperty " + type +
+    " z\nelement face 5\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+template <typename Real>
+std::string binaryPly(const std::string& format, const std::string& type, bool isSwapped)
+{
+  std::string text = plyHeaderOf(format, type);
+  for (const auto& point : Points)
+  {
+    for (const double value : point)
+    {
+      append(text, static_cast<Real>(value), isSwapped);
+    }
+  }
+  for (const auto& face : Faces)
+  {
+    append(text, static_cast<std::uint8_t>(face.size()), isSwapped);
+    for (const std::int32_t corner : face)
+    {
+      append(text, corner, isSwapped);
+    }
+  }
+  return text;
+}
+
+/// A line for each of the points, and one for each of the faces.
+std::string lines(
+  const std::string& beforePoint, const std::string& beforeFace, bool hasCount, int first)
+{
+  std::string text;
+  for (const auto& [x, y, z] : Points)
+  {
+    text +=
+      beforePoint + std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(z) + '\n';
+  }
+  for (const auto& face : Faces)
+  {
+    text += beforeFace + (hasCount ? std::to_string(face.size()) : "");
+    for (const int corner : face)
+    {
+      text += ' ' + std::to_string(first + corner);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+/// The corners of the triangles, one after another.
+std::vector<std::array<double, 3>> corners()
+{
+  std::vector<std::array<double, 3>> result;
+  for (const auto& face : Faces)
+  {
+    for (std::size_t i = 2; i < face.size(); ++i)
+    {
+      result.insert(result.end(), { Points[face[0]], Points[face[i - 1]], Points[face[i]] });
+    }
+  }
+  return result;
+}
+
+std::string asciiStl()
+{
+  std::string text = "solid pyramid\n";
+  int corner = 0;
+  for (const auto& [x, y, z] : corners())
+  {
+    text += corner % 3 == 0 ? "facet normal 0 0 0\nouter loop\n" : "";
+    text +=
+      "vertex " + std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(z) + '\n';
+    text += ++corner % 3 == 0 ? "endloop\nendfacet\n" : "";
+  }
+  return text + "endsolid pyramid\n";
+}
+
+std::string binaryStl(bool isSwapped)
+{
+  std::string text(80, ' ');
+  const auto all = corners();
+  append(text, static_cast<std::uint32_t>(all.size() / 3), isSwapped);
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    text += i % 3 == 0 ? std::string(12, '\0') : "";
+    for (const double value : all[i])
+    {
+      append(text, static_cast<float>(value), isSwapped);
+    }
+    text += i % 3 == 2 ? std::string(2, '\0') : "";
+  }
+  return text;
+}
+
+std::vector<Format> formats()
+{
+  const std::uint16_t one = 1;
+  char first = 0;
+  std::memcpy(&first, &one, 1);
+  const bool isBig = first == 0; // this machine
+  return {
+    { "ascii.ply", readPly, plyHeaderOf("ascii", "double") + lines("", "", true, 0), VTK_DOUBLE },
+    { "little.ply", readPly, binaryPly<float>("binary_little_endian", "float", isBig), VTK_FLOAT },
+    { "big.ply", readPly, binaryPly<double>("binary_big_endian", "double", !isBig), VTK_DOUBLE },
+    { "pyramid.obj", readObj, lines("v ", "f", false, 1), VTK_DOUBLE },
+    { "pyramid.off", readOff, "OFF\n5 5 0\n" + lines("", "", true, 0), VTK_DOUBLE },
+    { "ascii.stl", readStl, asciiStl(), VTK_DOUBLE },
+    { "binary.stl", readStl, binaryStl(isBig), VTK_FLOAT },
+  };
+}
+
+std::string write(const std::string& name, const std::string& content)
+{
+  const std::string file = (std::filesystem::path(testing::TempDir()) / name).string();
+  std::ofstream(file, std::ios::binary) << content;
+  return file;
+}
+
+/// Twice the vector area of a polygon, times the height of the origin over it: six times the volume of the
+/// cone.
+double sixVolumes(vtkPolyData* mesh, vtkIdList* polygon)
+{
+  double sum = 0;
+  for (vtkIdType i = 2; i < polygon->GetNumberOfIds(); ++i)
+  {
+    double a[3], b[3], c[3];
+    mesh->GetPoint(polygon->GetId(0), a);
+    mesh->GetPoint(polygon->GetId(i - 1), b);
+    mesh->GetPoint(polygon->GetId(i), c);
+    sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+      a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return sum;
+}
+
+TEST(Readers, FindPointsAndPolygonsOfAPyramid)
+{
+  for (const Format& format : formats())
+  {
+    SCOPED_TRACE(format.name);
+    const auto mesh = format.read(write(format.name, format.content));
+    EXPECT_EQ(mesh->GetNumberOfPoints(), 5);
+    EXPECT_EQ(mesh->GetPoints()->GetDataType(), format.type);
+    EXPECT_EQ(mesh->GetNumberOfPolys(), format.read == readStl ? 6 : 5);
+    double sum = 0;
+    vtkNew<vtkIdList> polygon;
+    mesh->GetPolys()->InitTraversal();
+    while (mesh->GetPolys()->GetNextCell(polygon))
+    {
+      sum += sixVolumes(mesh, polygon);
+    }
+    EXPECT_NEAR(sum / 6, 1.0 / 3, 1e-12);
+  }
+}
+
+/// Cuts the content, or replaces some of its bytes.
+std::string damaged(std::string content, std::mt19937& random)
+{
+  const auto below = [&](std::size_t end) { return random() % end; };
+  if (below(4) == 0)
+  {
+    return content.substr(0, below(content.size()));
+  }
+  const std::string digits = "0123456789-+.,e \n/\\";
+  for (std::size_t i = 1 + below(4); i > 0; --i)
+  {
+    content[below(content.size())] =
+      below(2) == 0 ? digits[below(digits.size())] : static_cast<char>(below(256));
+  }
+  return content;
+}
+
+TEST(Readers, ReadDamagedFilesAsTheyAreOrRefuseThem)
+{
+  std::mt19937 random(20);
+  int refused = 0, read = 0;
+  for (const Format& format : formats())
+  {
+    SCOPED_TRACE(format.name);
+    for (int i = 0; i < 300; ++i)
+    {
+      const std::string file =
+        write("damaged-" + std::string(format.name), damaged(format.content, random));
+      try
+      {
+        const auto mesh = format.read(file);
+        ++read;
+        vtkNew<vtkIdList> polygon;
+        mesh->GetPolys()->InitTraversal();
+        while (mesh->GetPolys()->GetNextCell(polygon))
+        {
+          for (vtkIdType corner = 0; corner < polygon->GetNumberOfIds(); ++corner)
+          {
+            ASSERT_LT(polygon->GetId(corner), mesh->GetNumberOfPoints());
+            ASSERT_GE(polygon->GetId(corner), 0);
+          }
+        }
+      }
+      catch (const InputError& error)
+      {
+        ++refused;
+        ASSERT_EQ(std::string(error.what()).find(file), 0u) << error.what();
+      }
+    }
+  }
+  EXPECT_GT(refused, 700);
+  EXPECT_GT(read, 100);
+}
+
+/// Is the file refused, by the reader or because there is no point in it?
+bool isRefused(const Format& format, const std::string& file)
+{
+  try
+  {
+    return format.read(file)->GetNumberOfPoints() == 0;
+  }
+  catch (const InputError&)
+  {
+    return true;
+  }
+}
+
+TEST(Readers, RefuseEveryCutFile)
+{
+  for (const Format& format : formats())
+  {
+    if (format.read == readObj)
+    {
+      continue; // it has no counts; a line is whole or not
+    }
+    // The last line of a text may lack its end, and a part of its last word, which is a number or a name.
+    const std::size_t lastWord = format.content.find_last_of(" \n", format.content.size() - 2);
+    const bool isText = format.content.find('\0') == std::string::npos;
+    const std::size_t end = isText ? lastWord : format.content.size();
+    for (std::size_t size = 0; size < end; ++size)
+    {
+      const std::string file = write("cut", format.content.substr(0, size));
+      EXPECT_TRUE(isRefused(format, file)) << format.name << ", cut after " << size;
+    }
+  }
+}
+
+TEST(Lines, ReadWholeWordsAsNumbers)
+{
+  double value = 0;
+  for (const auto& [word, expected] : std::vector<std::pair<std::string, double>>{ { "1", 1 },
+         { "-0.5", -0.5 }, { "+2e3", 2000 }, { ".5", 0.5 }, { "5.", 5 },
+         { "1e400", std::numeric_limits<double>::infinity() }, { "-1e-400", 0 } })
+  {
+    EXPECT_TRUE(parseReal(word, value)) << word;
+    EXPECT_EQ(value, expected) << word;
+  }
+  EXPECT_TRUE(parseReal("nan", value) && std::isnan(value));
+  EXPECT_TRUE(parseReal("-inf", value) && std::isinf(value));
+  for (const char* word : { "", "+", "-", "+-1", "0x10", "1.2.3", "1,5", "zz", "1e", "--1" })
+  {
+    EXPECT_FALSE(parseReal(word, value)) << word;
+  }
+  long long number = 0;
+  EXPECT_TRUE(parseWhole("0012", number));
+  EXPECT_EQ(number, 12);
+  for (const char* word : { "", "-1", "+1", "1.0", "1e3", "9999999999999999999" })
+  {
+    EXPECT_FALSE(parseWhole(word, number)) << word;
+  }
+}
+
+TEST(Lines, CountLinesOfAllKinds)
+{
+  Lines lines("file",
+    "\xEF\xBB\xBF"
+    "a\r\nb\rc\n\n# no words\nd e",
+    Lines::Columns);
+  std::string words;
+  while (lines.next())
+  {
+    words += std::to_string(lines.number()) + std::string(lines.words().back());
+  }
+  EXPECT_EQ(words, "1a2b3c6e");
+}
+}
