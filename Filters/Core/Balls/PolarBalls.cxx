@@ -3,6 +3,7 @@
 
 #include "Balls/DelaunaySpheres.h"
 #include "Balls/DistinctSamples.h"
+#include "Balls/SampleDoubts.h"
 #include "Balls/Sides.h"
 #include "Base/Frame.h"
 #include "Base/Lists.h"
@@ -281,6 +282,9 @@ PolarBallsAndSamples polarBallsAndSamples(
   assignBalls(distinct, ballsOfSample, result);
   made.samples = describeSamples(distinct, ballsOfSample, result.balls);
   result.spacing = meanSpacing(spheres);
+  made.samples.warnings = sampleDoubts({ samples, distinct, ballsOfSample, result.balls,
+                                         result.sides, result.ballSamples, result.cells },
+    execution.between(0.9, 1));
   toWorld(distinct.frame, result);
   execution.report(1);
   return made;

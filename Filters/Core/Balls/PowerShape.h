@@ -36,10 +36,6 @@ struct PowerShape
 /// The power shape of `polarBalls`.
 /// @throw InvalidInput  the cells aren't a triangulation: a triangle with more than two cells
 PowerShape powerShape(const PolarBalls& polarBalls, const Execution& execution = {});
-
-/// Betti numbers of the subcomplex of all simplices of a triangulation whose corners are marked.
-/// @param mesh  the whole convex hull, with neighbours
-Betti markedBetti(const Tetrahedra& mesh, const std::vector<char>& marked);
 }
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Crust/ClearanceFilling.h"
 
-#include "Balls/PowerShape.h"
+#include "Balls/MarkedBetti.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Crust/PowerCrust.h"
 
-#include "Balls/PowerShape.h"
+#include "Balls/MarkedBetti.h"
 #include "Base/BallTree.h"
 #include "Base/Errors.h"
 #include "Base/Frame.h"

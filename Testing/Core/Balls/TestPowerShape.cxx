@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipelines.h"
 
+#include "Balls/MarkedBetti.h"
 #include "Balls/PowerShape.h"
 #include "Base/Tetrahedra.h"
 

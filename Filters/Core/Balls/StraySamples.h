@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_StraySamples_h
+#define medial_StraySamples_h
+
+#include "Balls/SampleEvidence.h"
+#include "Base/Types.h"
+#include "Base/Warnings.h"
+
+#include <vector>
+
+namespace medial
+{
+/// Warnings about samples that seem to be on no surface:
+///
+/// - "interior_samples": even their larger polar ball is about as small as the spacing, so that they
+///   are among samples on all sides, and they are sparser than the others;
+/// - "volume_samples": many samples have such small balls, as the points of a volume have;
+/// - "one_sided_samples": many samples see their two poles in opposite directions, but both are inside
+///   or both outside;
+/// - "isolated_samples": their nearest sample is several of its own spacings away;
+/// - "clustered_samples": their nearest sample is far nearer than the spacing.
+///
+/// @param nearest  the sample nearest to each one
+Warnings straySamples(const SampleEvidence& evidence, const std::vector<Index>& nearest);
+}
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Neighbors.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Numbered = std::pair<Kernel::Point_3, Index>;
+using Traits = CGAL::Search_traits_adapter<Numbered, CGAL::First_of_pair_property_map<Numbered>,
+  CGAL::Search_traits_3<Kernel>>;
+using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
+
+Kernel::Point_3 toKernel(const Point& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
+}
+
+struct Neighbors::Implementation
+{
+  const std::vector<Point>& points;
+  Search::Tree tree;
+};
+
+Neighbors::Neighbors(const std::vector<Point>& points)
+  : implementation(new Implementation{ points, {} })
+{
+  for (Index i = 0; i < count(points); ++i)
+  {
+    this->implementation->tree.insert({ toKernel(points[i]), i });
+  }
+  this->implementation->tree.build(); // else the first search would build it, on each thread
+}
+
+Neighbors::~Neighbors() = default;
+
+std::vector<Index> Neighbors::nearest(Index point, Index howMany) const
+{
+  const Kernel::Point_3 query = toKernel(this->implementation->points[point]);
+  const Search search(this->implementation->tree, query, static_cast<unsigned>(howMany) + 1);
+  std::vector<std::pair<double, Index>> found;
+  for (const auto& [numbered, squaredDistance] : search)
+  {
+    if (numbered.second != point)
+    {
+      found.emplace_back(squaredDistance, numbered.second);
+    }
+  }
+  std::sort(found.begin(), found.end()); // the lowest number first among equals
+  std::vector<Index> result;
+  for (const auto& entry : found)
+  {
+    if (count(result) < howMany)
+    {
+      result.push_back(entry.second);
+    }
+  }
+  return result;
+}
+}

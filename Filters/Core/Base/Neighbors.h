@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_Neighbors_h
+#define medial_Neighbors_h
+
+#include "Base/Types.h"
+
+#include <memory>
+#include <vector>
+
+namespace medial
+{
+/// Finds the nearest of a set of points. Built in O(n log n); a search takes O(k log n).
+class Neighbors
+{
+public:
+  /// @param points  are referred to
+  explicit Neighbors(const std::vector<Point>& points);
+  ~Neighbors();
+
+  /// The other points nearest to a point, nearest first; fewer where there are not so many. Threads
+  /// may search at the same time.
+  std::vector<Index> nearest(Index point, Index howMany) const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation;
+};
+}
+
+#endif
