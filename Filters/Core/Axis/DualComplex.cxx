@@ -3,7 +3,7 @@
 
 #include "Axis/FacePolygon.h"
 #include "Axis/FaceTriangulation.h"
-#include "Axis/Midpoints.h"
+#include "Axis/FreePlaces.h"
 #include "Axis/Sheets.h"
 #include "Axis/Trimming.h"
 #include "Axis/VertexMerging.h"
@@ -54,12 +54,26 @@ AllVertices allVertices(const PolarBalls& polarBalls, const SiteTriangulation& s
 
 void addMidpoints(const std::vector<Edge>& sides, const Frame& frame, AllVertices& vertices)
 {
-  const std::vector<Point> places = midpointPlaces(vertices.places, vertices.isDropped, sides);
-  for (std::size_t i = 0; i < sides.size(); ++i)
+  if (sides.empty())
   {
-    const Ball &a = vertices.balls[sides[i][0]], &b = vertices.balls[sides[i][1]];
-    vertices.balls.push_back({ frame.toWorld(places[i]), 0.5 * (a.radius + b.radius) });
-    vertices.places.push_back(places[i]);
+    return;
+  }
+  std::vector<Point> taken;
+  for (std::size_t v = 0; v < vertices.places.size(); ++v)
+  {
+    if (!vertices.isDropped[v])
+    {
+      taken.push_back(vertices.places[v]);
+    }
+  }
+  FreePlaces places(taken);
+  for (const Edge& side : sides)
+  {
+    const Point place =
+      places.takeNear(0.5 * (vertices.places[side[0]] + vertices.places[side[1]]));
+    const double radius = 0.5 * (vertices.balls[side[0]].radius + vertices.balls[side[1]].radius);
+    vertices.balls.push_back({ frame.toWorld(place), radius });
+    vertices.places.push_back(place);
     vertices.pole.push_back(None);
     vertices.isDropped.push_back(0);
   }
@@ -120,7 +134,7 @@ AxisComplex dualComplex(const PolarBalls& polarBalls, const SingularPoints& sing
   drop(trimSheets(faceGeometry(vertices, singularPoints, sites, frame), polygons), vertices);
   AxisComplex axis;
   addPoints(vertices, polygons, axis);
-  addCells(polygons, sites, singularPoints, axis);
+  addCells(polygons, sites, singularPoints, frame, axis);
   return axis;
 }
 }

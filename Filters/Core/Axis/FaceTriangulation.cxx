@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/FaceTriangulation.h"
 
+#include "Axis/FreePlaces.h"
 #include "Base/Polygons.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace medial
@@ -43,11 +46,44 @@ SiteView viewOf(const std::vector<Ball>& corners, const std::vector<Point>& site
   return sites.empty() ? siteView(corners) : siteView(centroid, sites);
 }
 
+/// Sees to it that a centroid that was added to the points is at no other point's place.
+class AddedCentroids
+{
+public:
+  explicit AddedCentroids(const Frame& theFrame)
+    : frame(theFrame)
+  {
+  }
+
+  /// @param points  of the axis; the last one is the centroid
+  void place(std::vector<Point>& points)
+  {
+    if (!this->places) // most axes have no centroid
+    {
+      std::vector<Point> taken;
+      std::transform(points.begin(), points.end() - 1, std::back_inserter(taken),
+        [this](const Point& point) -> Point { return this->frame.toLocal(point); });
+      this->places.emplace(taken);
+    }
+    const Point middle = this->frame.toLocal(points.back());
+    const Point place = this->places->takeNear(middle);
+    if (place != middle)
+    {
+      points.back() = this->frame.toWorld(place);
+    }
+  }
+
+private:
+  const Frame& frame;
+  std::optional<FreePlaces> places;
+};
+
 /// Triangulates polygons into cells of the axis.
 void addTriangles(const std::vector<FacePolygon>& polygons, const SiteTriangulation& sites,
-  const SingularPoints& singularPoints, EdgeSet& edges, AxisComplex& axis)
+  const SingularPoints& singularPoints, const Frame& frame, EdgeSet& edges, AxisComplex& axis)
 {
   std::set<Triangle> known;
+  AddedCentroids centroids(frame);
   Index number = 0;
   for (const FacePolygon& polygon : polygons)
   {
@@ -81,7 +117,8 @@ void addTriangles(const std::vector<FacePolygon>& polygons, const SiteTriangulat
     }
     if (axis.points.size() > axis.radii.size())
     {
-      axis.radii.push_back(radius); // of the centroid that was added
+      centroids.place(axis.points);
+      axis.radii.push_back(radius);
       axis.ballOfPoint.push_back(None);
     }
     for (Index t = firstOfPolygon; t < count(axis.cells.triangles); ++t)
@@ -135,7 +172,7 @@ void addLowerCells(const std::map<Edge, std::vector<Point>>& dangling, const Edg
 }
 
 void addCells(const std::vector<FacePolygon>& polygons, const SiteTriangulation& sites,
-  const SingularPoints& singularPoints, AxisComplex& axis)
+  const SingularPoints& singularPoints, const Frame& frame, AxisComplex& axis)
 {
   std::map<Edge, std::vector<Point>> dangling;
   EdgeSet sidesOfFaces, edges;
@@ -157,7 +194,7 @@ void addCells(const std::vector<FacePolygon>& polygons, const SiteTriangulation&
         sitesOf(polygon, sites, singularPoints.positions));
     }
   }
-  addTriangles(polygons, sites, singularPoints, edges, axis);
+  addTriangles(polygons, sites, singularPoints, frame, edges, axis);
   addLowerCells(dangling, sidesOfFaces, axis);
 }
 }
