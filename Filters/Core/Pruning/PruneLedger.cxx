@@ -42,7 +42,8 @@ Index sharedIterations(const PruneOptions& earlier, const PruneOptions& options)
   }
   const auto end = std::mismatch(earlier.schedule.begin(), earlier.schedule.end(),
     options.schedule.begin(), options.schedule.end());
-  return static_cast<Index>(end.first - earlier.schedule.begin());
+  const auto shared = static_cast<Index>(end.first - earlier.schedule.begin());
+  return std::min(shared, std::max(count(options.schedule) - 1, 0));
 }
 
 PruneRecord firstRows(const PruneRecord& earlier, Index rows, Index cellCount)

@@ -17,8 +17,9 @@
 namespace medial
 {
 /// Length of the common prefix of two schedules: how many iterations of the second need not be made
-/// again after the first. 0 where an option differs that bears on them, or where iterations aren't
-/// taken from the schedule or are to be verified.
+/// again after the first. The last of the second is always made: what parts take over in it tells why
+/// they are kept, and a record doesn't hold that. 0 where an option differs that bears on them, or where
+/// iterations aren't taken from the schedule or are to be verified.
 Index sharedIterations(const PruneOptions& earlier, const PruneOptions& options);
 
 /// The record as it was after its first rows.

@@ -29,7 +29,8 @@ TEST(Pruning, AgainIsAsForTheFirstTime)
         options.cellsToProtect.assign(1, static_cast<Index>(random() % axis.cells.size()));
       }
       options.schedule.resize(random() % (options.schedule.size() + 1));
-      for (unsigned j = 0; j < 1 + random() % 2; ++j)
+      const unsigned more = random() % 3; // none: the schedule is the last one or its beginning
+      for (unsigned j = 0; j < more; ++j)
       {
         const medial::MeasureTraits& traits =
           medial::allMeasures()[random() % medial::allMeasures().size()];
@@ -51,6 +52,25 @@ TEST(Pruning, AgainIsAsForTheFirstTime)
     if (seed < 403)
     {
       expectSame(pipelines::of("two-hole plate").axis(), random);
+    }
+  }
+}
+
+TEST(Pruning, AgainWithTheSameScheduleOrItsBeginningGivesTheSameReasons)
+{
+  // What parts took over in the last iteration decides why they are left.
+  PruneOptions options;
+  options.schedule = medial::parseSchedule("t5 t5 v1%");
+  PruneOptions beginning = options;
+  beginning.schedule.pop_back();
+  for (const char* name : { "box", "capsule" })
+  {
+    SCOPED_TRACE(name);
+    const MedialAxis& axis = pipelines::of(name).axis();
+    medial::PrunableAxis prunable(axis);
+    for (const PruneOptions& again : { options, options, beginning })
+    {
+      EXPECT_EQ(medial::prune(prunable, again).keepReason, medial::prune(axis, again).keepReason);
     }
   }
 }
