@@ -53,7 +53,8 @@
  * Pruning again with another threshold takes a fraction of the time. For that the filter keeps a copy of
  * the axis, what it has derived from it, and what went when: about 200 bytes for each cell, until it
  * runs on an input that has changed. Iterations at the beginning of the schedule that are the same as
- * in the last run are not made again, but for the last one of the schedule. If you change values of an array in place, call its Modified().
+ * in the last run are not made again, but for the last one of the schedule. If you change values of an
+ * array in place, call its Modified().
  *
  * An error (an array that is missing or does not fit; a negative threshold; a part or cell to remove
  * or to protect that isn't there; a selection that can't be used) leaves the outputs empty and sets

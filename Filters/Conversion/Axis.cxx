@@ -16,6 +16,8 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+
 namespace medial
 {
 namespace
@@ -56,11 +58,13 @@ bool sameNumbers(vtkDataArray* a, vtkDataArray* b)
 }
 
 /// Is each point of the axis that has a ball at the ball's centre? Volumes alone don't tell objects
-/// apart that differ by their place only. Damaged numbers of balls are left to readMedialAxis.
+/// apart that differ by their place only. Neither axis nor balls have been checked: damaged numbers of
+/// balls, too many or too few of them, are left to readMedialAxis.
 bool pointsAreCenters(vtkPolyData* axis, vtkUnstructuredGrid* balls)
 {
   vtkDataArray* ids = axis->GetPointData()->GetArray(names::BallId);
-  for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
+  const vtkIdType idCount = ids ? ids->GetNumberOfTuples() : 0;
+  for (vtkIdType i = 0; i < std::min(idCount, axis->GetNumberOfPoints()); ++i)
   {
     const double ball = ids->GetComponent(i, 0);
     if (ball >= 0 && ball < static_cast<double>(balls->GetNumberOfPoints()) &&

@@ -11,6 +11,7 @@
 #include <vtkFieldData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -140,6 +141,22 @@ TEST(Pipeline, RefusesTheAxisOfAnotherBlock)
   sphere.crust->SetAxisData(axes);
   sphere.balls->Update();
   EXPECT_NE(filterTest::onlyError(sphere.crust).find("no block of the axis"), std::string::npos);
+}
+
+TEST(Pipeline, NamesWhatIsWrongWithABlockOfTheAxis)
+{
+  const auto axis = filterTest::copy<vtkPolyData>(filterTest::boxPipeline().prune->GetOutput());
+  vtkNew<vtkPoints> points; // of its own: nothing may be read beyond
+  points->SetDataTypeToDouble();
+  points->InsertPoints(0, 3, 0, axis->GetPoints());
+  axis->SetPoints(points);
+  vtkNew<vtkMultiBlockDataSet> axes;
+  axes->SetBlock(0, axis);
+  vtkNew<vtkPowerCrust> filter;
+  filter->SetInputData(filterTest::boxPipeline().balls->GetOutput());
+  filter->SetAxisData(axes);
+  const std::string error = filterTest::onlyError(filter);
+  EXPECT_NE(error.find("entries instead of 3"), std::string::npos) << error;
 }
 
 TEST(Pipeline, TellsBlocksApartThatDifferByTheirPlaceOnly)
