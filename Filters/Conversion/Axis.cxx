@@ -4,8 +4,10 @@
 #include "Base/Errors.h"
 #include "Conversion/ArrayNames.h"
 #include "Conversion/Arrays.h"
+#include "Conversion/AxisChecks.h"
 #include "Conversion/Balls.h"
 #include "Conversion/Cells.h"
+#include "Conversion/Remedies.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -168,6 +170,7 @@ MedialAxis readMedialAxis(vtkPolyData* input)
   result.certificate = field.flags(names::Certificate, 1).front() != 0;
   result.fallback = field.flags(names::Fallback, 1).front() != 0;
   result.kappa = field.reals(names::Kappa, 1).front();
+  checkAxis(result);
   return result;
 }
 

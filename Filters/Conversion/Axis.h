@@ -12,11 +12,6 @@ class vtkUnstructuredGrid;
 
 namespace medial
 {
-/// What to do about an axis that doesn't fit.
-constexpr const char* TakeMedialAxis =
-  "take the output of vtkMedialAxis or a later filter as it is (files of an earlier version lack "
-  "arrays: make them again)";
-
 /// @param balls  what the axis is made from; see passFieldData
 void write(const MedialAxis& axis, vtkUnstructuredGrid* balls, vtkPolyData* output);
 MedialAxis readMedialAxis(vtkPolyData* input);

@@ -4,7 +4,9 @@
 #include "Base/Errors.h"
 #include "Conversion/ArrayNames.h"
 #include "Conversion/Arrays.h"
+#include "Conversion/BallChecks.h"
 #include "Conversion/Cells.h"
+#include "Conversion/Remedies.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -30,9 +32,16 @@ namespace
 {
 std::vector<Tetrahedron> readTetrahedra(vtkUnstructuredGrid* input, Index pointCount)
 {
-  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
+  vtkUnsignedCharArray* types = input->GetCellTypesArray();
+  const vtkIdType typeCount = types ? types->GetNumberOfTuples() : 0;
+  if (typeCount != input->GetNumberOfCells())
   {
-    if (input->GetCellType(i) != VTK_TETRA)
+    throw InvalidInput("there are ", input->GetNumberOfCells(), " cells, but types for ", typeCount,
+      ": ", TakePolarBalls);
+  }
+  for (vtkIdType i = 0; i < typeCount; ++i)
+  {
+    if (types->GetValue(i) != VTK_TETRA)
     {
       throw InvalidInput("cell ", i, " is no tetrahedron: ", TakePolarBalls);
     }
@@ -140,38 +149,6 @@ void addPolygons(
     std::swap(corners[2], corners[3]); // a pixel's points are not in order around it
   }
   polygons.append(corners);
-}
-
-/// What the stages after vtkPolarBalls rely on, beside sizes and ranges of arrays.
-/// @throw InvalidInput  a ball so large or so far away that squares of lengths overflow; a hidden ball in
-///                      a tetrahedron; one that is not hidden in none
-void checkBalls(const PolarBalls& balls)
-{
-  constexpr double largest = 1e150; // its square is a double
-  std::vector<char> isCorner(balls.balls.size(), 0);
-  for (const Tetrahedron& cell : balls.cells)
-  {
-    for (const Index ball : cell)
-    {
-      isCorner[ball] = 1;
-    }
-  }
-  for (Index b = 0; b < count(balls.balls); ++b)
-  {
-    const Ball& ball = balls.balls[b];
-    if (std::max(ball.center.cwiseAbs().maxCoeff(), ball.radius) > largest)
-    {
-      throw InvalidInput("ball ", b, " has a coordinate or a radius above ", largest,
-        ", whose square is no number any more: ", TakePolarBalls);
-    }
-    if (isCorner[b] != (balls.sides[b] != Side::Hidden))
-    {
-      throw InvalidInput("ball ", b, " is a corner of ", isCorner[b] ? "a" : "no",
-        " tetrahedron, but the point array '", names::Side, "' says ",
-        static_cast<int>(balls.sides[b]), isCorner[b] ? " (hidden)" : " (not hidden)", ": ",
-        TakePolarBalls);
-    }
-  }
 }
 }
 

@@ -14,11 +14,6 @@ class vtkUnstructuredGrid;
 
 namespace medial
 {
-/// What to do about balls that don't fit.
-constexpr const char* TakePolarBalls =
-  "take the output of vtkPolarBalls as it is (files of an earlier version lack arrays: make them "
-  "again)";
-
 /// The points of a data set, in their order.
 std::vector<Point> readSamples(vtkPointSet* input);
 

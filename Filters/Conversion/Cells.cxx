@@ -4,12 +4,18 @@
 #include "Base/Errors.h"
 
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 
 namespace medial
 {
 std::vector<Point> readPoints(vtkPointSet* input)
 {
   std::vector<Point> result(toIndex(input->GetNumberOfPoints(), "points"));
+  if (!result.empty() && input->GetPoints()->GetData()->GetNumberOfComponents() != 3)
+  {
+    throw InvalidInput("the points have ", input->GetPoints()->GetData()->GetNumberOfComponents(),
+      " coordinates each instead of 3: give points in space");
+  }
   for (std::size_t i = 0; i < result.size(); ++i)
   {
     input->GetPoint(static_cast<vtkIdType>(i), result[i].data());

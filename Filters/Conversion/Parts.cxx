@@ -6,6 +6,7 @@
 #include "Conversion/ArrayNames.h"
 #include "Conversion/Arrays.h"
 #include "Conversion/Cells.h"
+#include "Conversion/Remedies.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -25,8 +26,6 @@ namespace medial
 {
 namespace
 {
-constexpr const char* TakeParts = "take the output of vtkMedialPartDecomposition or vtkMedialPrune";
-
 /// Adds the values of a measure; field(entry) is the part of an entry. Counts are whole numbers.
 template <typename Entries, typename Field>
 void addMeasure(vtkFieldData* data, const char* name, const MeasureTraits& traits,
@@ -172,8 +171,13 @@ std::vector<Index> readParts(vtkPolyData* axis)
 {
   const Arrays cells(axis->GetCellData(), "cell", TakeParts);
   const Index cellCount = toIndex(axis->GetNumberOfCells(), "cells");
-  return cells.has(names::PartId) ? cells.indices(names::PartId, cellCount, 0, cellCount)
-                                  : std::vector<Index>();
+  if (!cells.has(names::PartId))
+  {
+    return {};
+  }
+  const Arrays field(axis->GetFieldData(), "field", TakeParts);
+  const Index end = field.indices(names::NumberOfParts, 1, 0, cellCount + 1).front();
+  return cells.indices(names::PartId, cellCount, 0, end);
 }
 
 std::vector<Index> readCells(vtkPolyData* axis, const std::vector<vtkIdType>& parts,

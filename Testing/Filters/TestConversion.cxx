@@ -139,6 +139,8 @@ TEST(Conversion, ReadsVerticesEdgesAndTriangles)
   axis.samplesOfCell.assign(5, { medial::None, 7 });
   axis.cellErosion = { 0, 1, 2, 3, 4 };
   axis.siteViews = { { 180, 1 }, { 0, 0 }, { 120, 2 }, { 90, 3 }, { 60, 4 } };
+  axis.betti = { 3, 0, 0 };
+  axis.certificate = axis.betti == axis.powerShapeBetti;
   vtkNew<vtkPolyData> data;
   medial::write(axis, ballGrid(), data);
   EXPECT_EQ(data->GetCellType(0), VTK_VERTEX);

@@ -127,8 +127,13 @@ TEST(MedialAxis, RunsAgainWhenTheFallbackChanges)
 
 TEST(MedialAxis, RefusesBallsThatAreAllOutside)
 {
-  const std::string error =
-    refusal([](vtkUnstructuredGrid* balls) { balls->GetPointData()->GetArray("Side")->Fill(0); });
+  const std::string error = refusal([](vtkUnstructuredGrid* balls) {
+    for (const char* name : { "Side", "Volume", "PoleVolume" })
+    {
+      balls->GetPointData()->GetArray(name)->Fill(0);
+    }
+    balls->GetFieldData()->GetArray("SampleInnerBall")->Fill(-1);
+  });
   EXPECT_NE(error.find("no ball is inside the solid"), std::string::npos) << error;
 }
 

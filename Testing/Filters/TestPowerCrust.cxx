@@ -278,6 +278,8 @@ TEST(PowerCrust, RefusesAnAxisWithoutCells)
     none->SetNumberOfComponents(array->GetNumberOfComponents());
     axis->GetCellData()->AddArray(none);
   }
+  axis->GetFieldData()->GetArray("BettiAxis")->Fill(0);
+  axis->GetFieldData()->GetArray("Certificate")->Fill(0);
   vtkSmartPointer<vtkPowerCrust> filter = boxCrust();
   filter->SetAxisData(axis);
   const std::string error = onlyError(filter);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef BallChecks_h
+#define BallChecks_h
+
+#include "Balls/PolarBalls.h"
+
+namespace medial
+{
+/// What the stages after vtkPolarBalls rely on, beside lengths and ranges of arrays: the list is in
+/// README.md. Takes time linear in the number of balls, samples and tetrahedra.
+/// @throw InvalidInput  it isn't so; the message names array, element and remedy
+void checkBalls(const PolarBalls& balls);
+}
+
+#endif

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Conversion/TetrahedraChecks.h"
+
+#include "Base/DisjointSets.h"
+#include "Base/Errors.h"
+#include "Base/Frame.h"
+#include "Base/Tetrahedra.h"
+#include "Conversion/Remedies.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace medial
+{
+namespace
+{
+/// Would the cell be oriented positively, if each corner were moved by `error` at most? Cells may be flat:
+/// where the axis is a plane, those inside have no volume.
+bool isPositive(const std::array<Point, 4>& corners, double error)
+{
+  const Point u = corners[1] - corners[0], v = corners[2] - corners[0], w = corners[3] - corners[0];
+  // So far the determinant may change.
+  const double change = (u.norm() + 2 * error) * (v.norm() + 2 * error) * (w.norm() + 2 * error) -
+    u.norm() * v.norm() * w.norm();
+  return u.cross(v).dot(w) >= -change;
+}
+
+void checkOrientation(const PolarBalls& balls, double moved, double movedFar)
+{
+  const Eigen::AlignedBox3d box = boundingBox(balls.samples);
+  for (Index c = 0; c < count(balls.cells); ++c)
+  {
+    std::array<Point, 4> corners;
+    double farthest = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+      corners[i] = balls.balls[balls.cells[c][i]].center;
+      farthest = std::max(farthest, box.exteriorDistance(corners[i]));
+    }
+    if (!isPositive(corners, moved + movedFar * farthest))
+    {
+      throw InvalidInput("the corners of tetrahedron ", c,
+        " are in the wrong order for the places of the balls: ", TakePolarBalls);
+    }
+  }
+}
+
+/// Is the triangle the other one seen from behind?
+bool isReverse(const Triangle& a, const Triangle& b)
+{
+  const auto first = std::find(b.begin(), b.end(), a[0]) - b.begin();
+  return first < 3 && b[(first + 2) % 3] == a[1] && b[(first + 1) % 3] == a[2];
+}
+
+void checkNeighbor(const Tetrahedra& mesh, Index c, int i)
+{
+  const Index n = mesh.neighbors[c][i];
+  const Triangle own = facet(mesh.cells[c], i);
+  for (int j = 0; j < 4; ++j)
+  {
+    if (mesh.neighbors[n][j] == c && isReverse(own, facet(mesh.cells[n], j)))
+    {
+      return;
+    }
+  }
+  throw InvalidInput(
+    "the tetrahedra ", c, " and ", n, " lie on the same side of a triangle: ", TakePolarBalls);
+}
+
+using Corner = std::pair<Edge, Index>; // an edge of a triangle of the hull, the triangle
+
+/// Each edge is there once in each direction, and all triangles hang together.
+void checkClosed(const std::vector<Triangle>& hull)
+{
+  std::vector<Corner> edges;
+  for (Index t = 0; t < count(hull); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.push_back({ { hull[t][k], hull[t][(k + 1) % 3] }, t });
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  DisjointSets pieces(count(hull));
+  bool isClosed = !hull.empty();
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    const Edge& edge = edges[i].first;
+    const auto back =
+      std::lower_bound(edges.begin(), edges.end(), Corner{ { edge[1], edge[0] }, 0 });
+    const bool isThere = back != edges.end() && back->first == Edge{ edge[1], edge[0] };
+    isClosed = isClosed && isThere && (i == 0 || edges[i - 1].first != edge);
+    if (isThere)
+    {
+      pieces.unite(edges[i].second, back->second);
+    }
+  }
+  for (Index t = 0; t < count(hull); ++t)
+  {
+    isClosed = isClosed && pieces.find(t) == pieces.find(0);
+  }
+  if (!isClosed)
+  {
+    throw InvalidInput("the tetrahedra of the balls have holes between them: ", TakePolarBalls);
+  }
+}
+}
+
+void checkTetrahedra(const PolarBalls& balls, double moved, double movedFar)
+{
+  checkOrientation(balls, moved, movedFar);
+  const Tetrahedra mesh = withNeighbors(balls.cells);
+  std::vector<Triangle> hull;
+  for (Index c = 0; c < count(mesh.cells); ++c)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      if (mesh.neighbors[c][i] != None)
+      {
+        checkNeighbor(mesh, c, i);
+        continue;
+      }
+      hull.push_back(facet(mesh.cells[c], i));
+      for (const Index ball : hull.back())
+      {
+        if (balls.sides[ball] == Side::Inner)
+        {
+          throw InvalidInput("ball ", ball, " is inside the solid, but beside tetrahedron ", c,
+            " another one is missing: ", TakePolarBalls);
+        }
+      }
+    }
+  }
+  checkClosed(hull);
+}
+}
