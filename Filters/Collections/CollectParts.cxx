@@ -21,15 +21,38 @@ namespace medial
 {
 namespace
 {
-/// For each block its number of rows, -1 where it is no table.
+/// Are the numbers of parts, where there are any, whole?
+bool hasWholeParts(vtkDataSetAttributes* attributes)
+{
+  vtkAbstractArray* found = attributes->GetAbstractArray(names::PartId);
+  vtkDataArray* parts = vtkDataArray::SafeDownCast(found);
+  return !found ||
+    (parts && parts->GetNumberOfComponents() == 1 && parts->GetDataType() != VTK_DOUBLE &&
+      parts->GetDataType() != VTK_FLOAT);
+}
+
+/// Nothing, or a table with columns of one length.
+bool isTableOfParts(vtkDataObject* data)
+{
+  auto* table = vtkTable::SafeDownCast(data);
+  bool result = !data || (table && hasWholeParts(table->GetRowData()));
+  for (vtkIdType i = 0; table && i < table->GetNumberOfColumns(); ++i)
+  {
+    result = result && table->GetColumn(i)->GetNumberOfTuples() == table->GetNumberOfRows();
+  }
+  return result;
+}
+
+/// For each block its number of rows, -1 where it is no table of parts.
 std::vector<vtkIdType> rowCounts(vtkCompositeDataSet* tables)
 {
   std::vector<vtkIdType> result;
   for (auto block = firstBlock(tables); !block->IsDoneWithTraversal(); block->GoToNextItem())
   {
     vtkDataObject* data = block->GetCurrentDataObject();
-    const bool isTable = !data || vtkTable::SafeDownCast(data);
-    result.push_back(!isTable ? -1 : data ? data->GetNumberOfElements(vtkDataObject::ROW) : 0);
+    result.push_back(!isTableOfParts(data) ? -1
+        : data                             ? data->GetNumberOfElements(vtkDataObject::ROW)
+                                           : 0);
   }
   return result;
 }
@@ -54,7 +77,7 @@ vtkSmartPointer<vtkIdTypeArray> renumbered(vtkDataArray* parts, vtkIdType first)
   result->SetNumberOfValues(parts->GetNumberOfTuples());
   for (vtkIdType i = 0; i < parts->GetNumberOfTuples(); ++i)
   {
-    const auto part = static_cast<vtkIdType>(parts->GetTuple1(i));
+    const auto part = static_cast<vtkIdType>(parts->GetComponent(i, 0));
     result->SetValue(i, part < 0 ? part : part + first);
   }
   return result;
@@ -68,6 +91,12 @@ vtkSmartPointer<vtkDataObject> renumberedCopy(vtkDataObject* data, vtkIdType fir
   {
     vtkDataSetAttributes* attributes = copy->GetAttributes(kind);
     vtkDataArray* parts = attributes ? attributes->GetArray(names::PartId) : nullptr;
+    if (attributes && !hasWholeParts(attributes))
+    {
+      throw InvalidInput("the array '", names::PartId,
+        "' must hold whole numbers: take the parts of vtkMedialPartDecomposition or "
+        "vtkMedialPrune");
+    }
     if (parts)
     {
       attributes->AddArray(renumbered(parts, first));
@@ -128,7 +157,8 @@ std::vector<vtkIdType> firstParts(
   if (wrong != least.end())
   {
     throw InvalidInput("block ", wrong - least.begin(),
-      " isn't a table: take the tables of vtkMedialPartDecomposition or vtkSimplifyShape");
+      " isn't a table of parts, with columns of one length and whole numbers in '", names::PartId,
+      "': take the tables of vtkMedialPartDecomposition or vtkSimplifyShape");
   }
   const std::vector<vtkIdType> all = overAllRanks(counts, vtkCommunicator::SUM_OP, ranks);
   std::vector<vtkIdType> result(all.size(), 0);

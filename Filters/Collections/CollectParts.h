@@ -15,7 +15,7 @@ class vtkTable;
 namespace medial
 {
 /// For each block the number of its first part: 0, or where `unique` the rows of all blocks before.
-/// @throw InvalidInput  a block isn't a table, on every rank
+/// @throw InvalidInput  a block isn't a table of parts, on every rank
 std::vector<vtkIdType> firstParts(
   vtkCompositeDataSet* tables, bool unique, vtkMultiProcessController* ranks);
 
@@ -25,7 +25,7 @@ void collectTables(vtkCompositeDataSet* tables, const std::vector<vtkIdType>& fi
   vtkMultiProcessController* ranks, vtkTable* output);
 
 /// Copies `parts`, which may be nullptr, with firstParts[block] added to PartId.
-/// @throw InvalidInput  it has more blocks
+/// @throw InvalidInput  it has more blocks, or PartId isn't whole
 void renumberParts(vtkCompositeDataSet* parts, const std::vector<vtkIdType>& firstParts,
   vtkCompositeDataSet* output);
 }

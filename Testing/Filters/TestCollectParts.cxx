@@ -4,12 +4,18 @@
 #include "vtkCollectParts.h"
 #include "vtkSimplifyShape.h"
 
+#include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkPolyData.h>
 #include <vtkTable.h>
 
+#include <cmath>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -143,5 +149,43 @@ TEST(CollectParts, RefusesWhatIsNoTableOrHasOtherColumns)
   blocks->Modified();
   all.Collect->SetInputData(blocks);
   EXPECT_NE(filterTest::onlyError(all.Collect).find("more blocks"), std::string::npos);
+}
+
+TEST(CollectParts, RefusesTablesWithFractionsForPartsOrAShortColumn)
+{
+  Collection all(false);
+  const auto table = filterTest::copy<vtkTable>(all.Before(2, 0));
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, table);
+  vtkNew<vtkCollectParts> collect;
+  collect->SetInputData(blocks);
+  vtkNew<vtkDoubleArray> fractions;
+  fractions->DeepCopy(table->GetColumnByName("PartId"));
+  fractions->SetComponent(0, 0, std::nan(""));
+  table->GetRowData()->AddArray(fractions);
+  blocks->Modified();
+  std::string error = filterTest::onlyError(collect);
+  EXPECT_NE(error.find("block 0 isn't a table of parts"), std::string::npos) << error;
+  table->ShallowCopy(filterTest::copy<vtkTable>(all.Before(2, 0)));
+  table->GetColumnByName("Level")->SetNumberOfTuples(1);
+  blocks->Modified();
+  error = filterTest::onlyError(collect);
+  EXPECT_NE(error.find("block 0 isn't a table of parts"), std::string::npos) << error;
+}
+
+TEST(CollectParts, RefusesPartsWithFractions)
+{
+  Collection all(false);
+  const auto parts = filterTest::copy<vtkPolyData>(all.Before(1, 0));
+  vtkNew<vtkDoubleArray> fractions;
+  fractions->DeepCopy(parts->GetCellData()->GetArray("PartId"));
+  fractions->SetComponent(0, 0, std::nan(""));
+  parts->GetCellData()->AddArray(fractions);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, parts);
+  all.Collect->SetPartsConnection(nullptr);
+  all.Collect->SetInputData(1, blocks);
+  const std::string error = filterTest::onlyError(all.Collect);
+  EXPECT_NE(error.find("'PartId' must hold whole numbers"), std::string::npos) << error;
 }
 }

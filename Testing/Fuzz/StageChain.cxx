@@ -11,6 +11,7 @@
 #include "vtkPowerCrust.h"
 
 #include <vtkErrorCode.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -93,11 +94,20 @@ vtkSmartPointer<vtkPointSet> prunedOf(vtkPointSet* axis, std::string& faults)
   return updated(filter, faults);
 }
 
-void makeCrust(vtkPointSet* balls, vtkPointSet* axis, std::string& faults)
+/// The axis as the only block of a collection: which block belongs to the balls is asked before any is
+/// checked.
+vtkSmartPointer<vtkDataObject> asBlock(vtkPointSet* axis)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  blocks->SetBlock(0, axis);
+  return blocks;
+}
+
+void makeCrust(vtkPointSet* balls, vtkDataObject* axis, std::string& faults)
 {
   vtkNew<vtkPowerCrust> filter;
   filter->SetInputData(balls);
-  filter->SetAxisData(vtkPolyData::SafeDownCast(axis));
+  filter->SetAxisData(axis);
   const vtkSmartPointer<vtkPointSet> surface = updated(filter, faults);
   const std::string fault = surface ? notSolid(vtkPolyData::SafeDownCast(surface)) : "";
   faults += fault.empty() ? "" : "the surface " + fault + "\n";
@@ -137,10 +147,10 @@ std::string faultsOf(const Stages& stages, int kind)
 {
   std::string faults;
   vtkSmartPointer<vtkPointSet> pruned = stages.data[kind];
+  makeCrust(stages.data[Balls], asBlock(stages.data[kind == Balls ? Pruned : kind]), faults);
   if (kind == Balls)
   {
     makeCrust(stages.data[Balls], nullptr, faults);
-    makeCrust(stages.data[Balls], stages.data[Pruned], faults);
     pruned = axisOf(stages.data[Balls], faults);
   }
   if (pruned && kind != Pruned)
