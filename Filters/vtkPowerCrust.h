@@ -19,18 +19,20 @@
  * Cell data
  *  - `InnerBall` (vtkIdType): the ball behind the triangle, a point of input 0.
  *  - `OuterBall` (vtkIdType): the ball in front of it; -1 for a ball that the rule has added.
- *  - `PartId` (vtkIdType): the part of the axis that the inner ball counts for; -1 without input 1 or
- *    where that has no array `PartId`.
+ *  - `PartId` (vtkIdType): the part of the axis that the inner ball counts for; -1 for a ball that was
+ *    put back, without input 1 or where that has no array `PartId`.
  *
  * Field data, single values
  *  - `BettiCrust` (vtkIdType, 3 components): pieces, tunnels and voids of the enclosed solid.
  *  - `Closed` (unsigned char): 1 where every edge lies between two triangles, in opposite directions.
  *  - `Manifold` (unsigned char): 1 where moreover the triangles at every point form one fan.
  *  - `Volume` (double): enclosed, cube of the samples' unit.
+ *  - `PutBackBalls` (vtkIdType): removed inner balls that the rule has put back, because the solid
+ *    would have another topology than the axis without them.
  *  - `InsertedBalls`, `RefusedBalls`, `Rounds` (vtkIdType): outer balls that the rule has added, those
  *    it has not because the topology would have changed, and the rounds made.
  *  - `MaximumClearance` (double): largest distance of a point that is no sample to the union of the
- *    kept balls, in sample spacings; 0 where none is outside.
+ *    kept balls and those put back, in sample spacings; 0 where none is outside.
  *
  * Field data, the verdict on this surface and on all stages before it
  *  - `Verdict` (string): `certified` or `not certified`. Certified is a surface if the power shape, the

@@ -308,7 +308,7 @@ inline std::string bytesOf(const medial::Crust& c)
   Bytes bytes;
   bytes.add(c.points).add(c.sampleOfPoint).add(c.triangles).add(c.innerBall).add(c.outerBall);
   bytes.add(c.betti).add(c.closed).add(c.manifold).add(c.volume);
-  bytes.add(c.insertedBalls).add(c.refusedBalls);
+  bytes.add(c.putBackBalls).add(c.insertedBalls).add(c.refusedBalls);
   return bytes.add(c.rounds).add(c.maximumClearance).text;
 }
 

@@ -127,6 +127,7 @@ constexpr const char* OuterBall = "OuterBall";
 constexpr const char* BettiCrust = "BettiCrust";
 constexpr const char* Closed = "Closed";
 constexpr const char* Manifold = "Manifold";
+constexpr const char* PutBackBalls = "PutBackBalls";
 constexpr const char* InsertedBalls = "InsertedBalls";
 constexpr const char* RefusedBalls = "RefusedBalls";
 constexpr const char* Rounds = "Rounds";

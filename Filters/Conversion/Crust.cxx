@@ -34,6 +34,7 @@ void write(const Crust& crust, const std::vector<Index>& partOfBall, vtkUnstruct
   addOne<vtkUnsignedCharArray>(field, names::Closed, crust.closed);
   addOne<vtkUnsignedCharArray>(field, names::Manifold, crust.manifold);
   addOne<vtkDoubleArray>(field, names::Volume, crust.volume);
+  addOne<vtkIdTypeArray>(field, names::PutBackBalls, crust.putBackBalls);
   addOne<vtkIdTypeArray>(field, names::InsertedBalls, crust.insertedBalls);
   addOne<vtkIdTypeArray>(field, names::RefusedBalls, crust.refusedBalls);
   addOne<vtkIdTypeArray>(field, names::Rounds, crust.rounds);

@@ -9,6 +9,7 @@
 #include "Crust/ChosenBalls.h"
 #include "Crust/ClearanceFilling.h"
 #include "Crust/PowerDiagram.h"
+#include "Crust/PuttingBack.h"
 
 #include <algorithm>
 #include <numeric>
@@ -82,6 +83,26 @@ double largestClearance(const PowerDiagram& diagram, const BallTree& innerBalls,
   return largest;
 }
 
+std::string inWords(const Betti& betti)
+{
+  return std::to_string(betti[0]) + " pieces, " + std::to_string(betti[1]) + " tunnels and " +
+    std::to_string(betti[2]) + " voids";
+}
+
+/// That the surface contradicts the axis, if it does.
+Warnings topologyWarnings(
+  const Crust& crust, const std::optional<Betti>& topology, const std::optional<Point>& place)
+{
+  if (!topology || crust.betti == *topology)
+  {
+    return {};
+  }
+  return { { "crust-topology",
+    "the surface encloses a solid of " + inWords(crust.betti) + ", but its axis has " +
+      inWords(*topology) + ": prune less there, or give more samples with less noise",
+    bettiDistance(crust.betti, *topology), place } };
+}
+
 /// From the diagram's frame and numbers of balls to those of `polarBalls`. Samples stay exact.
 void toWorld(
   const PolarBalls& polarBalls, const Frame& frame, const std::vector<Index>& ballIds, Crust& crust)
@@ -112,21 +133,30 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   {
     triangulation.insert(diagram.balls, execution.between(0, 0.6));
   }
+  const bool fills = !chosen.all && options.rule == CrustRule::Clearance;
+  PuttingBack back;
+  if (fills && options.topology)
+  {
+    back = putBack(
+      *options.topology, polarBalls, frame, chosen, triangulation, execution.between(0.6, 0.65));
+  }
   findVertices(chosen.all ? cellsOfAll(polarBalls, chosen.ids) : triangulation.tetrahedra(),
     diagram, execution);
   const BallTree innerBalls = treeOfInnerBalls(diagram);
   Filling filling;
-  if (!chosen.all && options.rule == CrustRule::Clearance)
+  if (fills)
   {
     const FillingGoal goal{ options.clearance * spacing, options.maximumRounds,
       options.topology ? *options.topology : topologyOf(polarBalls, keep) };
     filling = fillClearance(goal, UntouchedCells(polarBalls.cells, chosen.ids), innerBalls,
-      triangulation, diagram, execution.between(0.6, 0.8));
+      triangulation, diagram, execution.between(0.65, 0.8));
   }
   execution.report(0.8);
   Crust crust;
   static_cast<CrustSurface&>(crust) = crustSurface(diagram);
   static_cast<SolidMeasures&>(crust) = solidMeasures(crust.points, crust.triangles);
+  crust.warnings = topologyWarnings(crust, options.topology, back.place);
+  crust.putBackBalls = back.balls;
   crust.insertedBalls = filling.inserted;
   crust.refusedBalls = filling.refused;
   crust.rounds = filling.rounds;

@@ -21,13 +21,15 @@ struct Crust
   : CrustSurface
   , SolidMeasures
 {
+  Index putBackBalls = 0; ///< removed inner balls that the topology needs; see CrustRule::Clearance
   Index insertedBalls = 0; ///< by CrustRule::Clearance
   Index refusedBalls = 0;  ///< not inserted: the topology would have changed
   int rounds = 0;          ///< of insertion made
   double maximumClearance =
     0;               ///< largest distance of a point that is no sample to the union of the
-                     ///< kept balls, in sample spacings; 0 where none is outside
-  Warnings warnings; ///< about the surface
+                     ///< kept balls and those put back, in sample spacings; 0 where none is
+                     ///< outside
+  Warnings warnings; ///< "crust-topology": other Betti numbers than CrustOptions::topology
 };
 
 /// The power crust of the inner balls with keep[ball] != 0 and the outer balls.
