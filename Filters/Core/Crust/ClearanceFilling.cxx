@@ -100,14 +100,14 @@ std::vector<Ball> fillingBalls(
 class ClearanceFilling
 {
 public:
-  ClearanceFilling(const FillingGoal& fillingGoal, RegularTriangulation& regularTriangulation,
-    PowerDiagram& powerDiagram, const Execution& ofRounds)
+  ClearanceFilling(const FillingGoal& fillingGoal, const Betti& now,
+    RegularTriangulation& regularTriangulation, PowerDiagram& powerDiagram,
+    const Execution& ofRounds)
     : goal(fillingGoal)
     , triangulation(regularTriangulation)
     , diagram(powerDiagram)
     , execution(ofRounds)
-    , defect(
-        bettiDistance(markedBetti(powerDiagram.dual, powerDiagram.inner), fillingGoal.topology))
+    , defect(bettiDistance(now, fillingGoal.topology))
   {
   }
 
@@ -194,10 +194,10 @@ private:
 };
 }
 
-Filling fillClearance(const FillingGoal& goal, const UntouchedCells& untouched,
+Filling fillClearance(const FillingGoal& goal, const Betti& now, const UntouchedCells& untouched,
   const BallTree& innerBalls, RegularTriangulation& triangulation, PowerDiagram& diagram,
   const Execution& execution)
 {
-  return ClearanceFilling(goal, triangulation, diagram, execution).fill(untouched, innerBalls);
+  return ClearanceFilling(goal, now, triangulation, diagram, execution).fill(untouched, innerBalls);
 }
 }

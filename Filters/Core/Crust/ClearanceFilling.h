@@ -54,9 +54,10 @@ struct Filling
 /// Invariant: the Betti numbers never get farther from `topology`.
 /// A round with n balls and k new ones costs O(n log n) for the distances, O(k^2) for the choice, and
 /// one triangulation with its Betti numbers for each attempt to insert; k is at most 5000.
+/// @param now            Betti numbers of the simplices of the diagram's inner balls
 /// @param innerBalls     of the diagram
 /// @param triangulation  of the diagram's balls; they get the new ones both
-Filling fillClearance(const FillingGoal& goal, const UntouchedCells& untouched,
+Filling fillClearance(const FillingGoal& goal, const Betti& now, const UntouchedCells& untouched,
   const BallTree& innerBalls, RegularTriangulation& triangulation, PowerDiagram& diagram,
   const Execution& execution);
 }

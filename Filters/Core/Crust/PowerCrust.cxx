@@ -133,23 +133,28 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   {
     triangulation.insert(diagram.balls, execution.between(0, 0.6));
   }
+  Tetrahedra mesh = chosen.all ? cellsOfAll(polarBalls, chosen.ids) : triangulation.tetrahedra();
   const bool fills = !chosen.all && options.rule == CrustRule::Clearance;
   PuttingBack back;
-  if (fills && options.topology)
+  if (fills)
   {
-    back = putBack(
-      *options.topology, polarBalls, frame, chosen, triangulation, execution.between(0.6, 0.65));
+    back.betti = markedBetti(mesh, diagram.inner);
+    if (options.topology && *options.topology != back.betti)
+    {
+      back = putBack(*options.topology, back.betti, polarBalls, frame, chosen, triangulation,
+        execution.between(0.6, 0.65));
+      mesh = triangulation.tetrahedra();
+    }
   }
-  findVertices(chosen.all ? cellsOfAll(polarBalls, chosen.ids) : triangulation.tetrahedra(),
-    diagram, execution);
+  findVertices(std::move(mesh), diagram, execution);
   const BallTree innerBalls = treeOfInnerBalls(diagram);
   Filling filling;
   if (fills)
   {
     const FillingGoal goal{ options.clearance * spacing, options.maximumRounds,
       options.topology ? *options.topology : topologyOf(polarBalls, keep) };
-    filling = fillClearance(goal, UntouchedCells(polarBalls.cells, chosen.ids), innerBalls,
-      triangulation, diagram, execution.between(0.65, 0.8));
+    filling = fillClearance(goal, back.betti, UntouchedCells(polarBalls.cells, chosen.ids),
+      innerBalls, triangulation, diagram, execution.between(0.65, 0.8));
   }
   execution.report(0.8);
   Crust crust;

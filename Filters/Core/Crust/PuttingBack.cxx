@@ -153,25 +153,18 @@ std::optional<Point> placeLeft(
 }
 }
 
-PuttingBack putBack(const Betti& topology, const PolarBalls& polarBalls, const Frame& frame,
-  ChosenBalls& chosen, RegularTriangulation& triangulation, const Execution& execution)
+PuttingBack putBack(const Betti& topology, const Betti& now, const PolarBalls& polarBalls,
+  const Frame& frame, ChosenBalls& chosen, RegularTriangulation& triangulation,
+  const Execution& execution)
 {
-  PuttingBack result;
-  Tetrahedra mesh = triangulation.tetrahedra();
-  result.betti = markedBetti(mesh, chosen.diagram.inner);
-  if (result.betti == topology)
-  {
-    return result;
-  }
   const Index before = count(chosen.ids);
   const LabelledBalls all = labelledBalls(polarBalls, frame);
   const Regions regions = contradictedRegions(all, polarBalls.cells,
-    originalCells(std::move(mesh), chosen.ids), removedBalls(polarBalls, chosen), execution);
-  Attempts attempts(
-    topology, all, polarBalls.ballSamples, chosen, triangulation, result.betti, execution);
+    originalCells(triangulation.tetrahedra(), chosen.ids), removedBalls(polarBalls, chosen),
+    execution);
+  Attempts attempts(topology, all, polarBalls.ballSamples, chosen, triangulation, now, execution);
   attempts.attempt(regions);
-  result.betti = attempts.bettiNow();
-  result.balls = count(chosen.ids) - before;
+  PuttingBack result{ count(chosen.ids) - before, attempts.bettiNow(), std::nullopt };
   if (result.betti != topology)
   {
     result.place = placeLeft(regions, polarBalls, chosen);

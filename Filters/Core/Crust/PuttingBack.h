@@ -17,7 +17,7 @@ namespace medial
 struct PuttingBack
 {
   Index balls = 0;
-  Betti betti{};              ///< of the inner balls' simplices then
+  Betti betti{};              ///< of the chosen inner balls' simplices then
   std::optional<Point> place; ///< where a contradiction is left, in the samples' unit
 };
 
@@ -29,11 +29,14 @@ struct PuttingBack
 /// balls put back the crust is the unpruned one; so if pruning has kept the topology, some suffice.
 /// Looks only at regions where the topology changes, and there for few balls. Nothing is put back
 /// unless the Betti numbers come nearer to `topology`.
-/// Costs one count of Betti numbers if nothing has to be done. Else about as much as the triangulation
-/// of the balls in these regions, and one triangulation with its Betti numbers for each attempt.
+/// Costs about as much as the triangulation of the balls in these regions, and one triangulation with
+/// its Betti numbers for each attempt.
+/// @param topology       Betti numbers wanted
+/// @param now            those of the chosen inner balls' simplices, others than wanted
 /// @param triangulation  of the chosen balls; gets those put back, as `chosen` does
-PuttingBack putBack(const Betti& topology, const PolarBalls& polarBalls, const Frame& frame,
-  ChosenBalls& chosen, RegularTriangulation& triangulation, const Execution& execution);
+PuttingBack putBack(const Betti& topology, const Betti& now, const PolarBalls& polarBalls,
+  const Frame& frame, ChosenBalls& chosen, RegularTriangulation& triangulation,
+  const Execution& execution);
 }
 
 #endif
