@@ -28,6 +28,7 @@ for part in numpy.argsort(-table["RelativeVolume"]):
 
 # %% The surface: closed, with the points and polygons as arrays.
 surface = arrays(result.surface)
+print("certified: %s %s" % (result.verdict.certified, "; ".join(result.verdict.reasons)))
 print("closed: %d, pieces, tunnels, voids: %s, volume: %.3f" % (
     surface["Closed"][0], surface["BettiCrust"][0], surface["Volume"][0]))
 corners, offsets = surface["corners"], surface["offsets"]

@@ -51,7 +51,7 @@
  * filter that finds it. It is also in the field data of both outputs and of all outputs made from them:
  * one entry for each warning, with those of the filters before. Without a warning the arrays aren't
  * there.
- *  - `WarningCode` (string): the kind, for programs: `open-surface` (edges with a polygon on one side
+ *  - `WarningCode` (string): the kind, for programs: `open_surface` (edges with a polygon on one side
  *    only), `fallback` (see vtkMedialAxis), and those in README.md.
  *  - `WarningText` (string): what was seen and what to do, for people.
  *  - `WarningCount` (vtkIdType): how many samples, edges, ... it is about.

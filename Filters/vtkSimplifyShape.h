@@ -93,7 +93,7 @@ public:
    * Also make, for comparison, the parts of the axis before pruning and the power crust of all inner
    * balls; see GetUnprunedPartDecomposition() and GetUnprunedPowerCrust(). The axis then has `PartId`
    * when it reaches vtkMedialPrune, so that GetMedialPrune()->AddPartToRemove() can name parts by it.
-   * Outputs 0 to 3 do not depend on this property. Default off.
+   * The faces of that crust have its `PartId`. Their warnings are not told. Outputs 0 to 3 do not depend on this property. Default off.
    */
   void SetMakeUnpruned(bool make);
   vtkGetMacro(MakeUnpruned, bool);

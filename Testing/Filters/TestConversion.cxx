@@ -183,7 +183,7 @@ bool sameWarning(const medial::Warning& a, const medial::Warning& b)
 medial::Warnings madeUpWarnings()
 {
   return { { "noise", "Noise, with \"<&>\" in it.", 5, medial::Point(0.1, -2, 1e300), true },
-    { "open-surface", "It is open.", 0, {}, false } };
+    { "open_surface", "It is open.", 0, {}, false } };
 }
 
 TEST(Conversion, ReadsTheWarningsThatItWrote)

@@ -69,7 +69,7 @@ void addWarning(vtkDataObject* data, bool doubtsSolid)
   doubts->SetName("WarningDoubtsSolid");
   doubts->InsertNextValue(doubtsSolid);
   vtkFieldData* field = data->GetFieldData();
-  field->AddArray(texts("WarningCode", { "made-up" }));
+  field->AddArray(texts("WarningCode", { "made_up" }));
   field->AddArray(texts("WarningText", { "A test has made this up." }));
   field->AddArray(count);
   field->AddArray(place);
@@ -145,7 +145,7 @@ TEST(Warnings, GoThroughAllStages)
   {
     vtkDataObject* output = filter->GetOutputDataObject(0);
     SCOPED_TRACE(filter->GetClassName());
-    EXPECT_EQ(texts(output, "WarningCode"), std::vector<std::string>{ "made-up" });
+    EXPECT_EQ(texts(output, "WarningCode"), std::vector<std::string>{ "made_up" });
     EXPECT_EQ(output->GetFieldData()->GetArray("WarningPlace")->GetComponent(0, 2), 3);
     EXPECT_TRUE(same(filterTest::writtenAndRead(output), output));
   }
@@ -184,7 +184,7 @@ TEST(Warnings, AreToldOnceByTheFilterThatFindsThem)
   EXPECT_TRUE(ofParts.messages().empty());
   EXPECT_TRUE(ofPrune.messages().empty());
   EXPECT_EQ(
-    texts(pipeline.crust->GetOutput(), "WarningCode"), std::vector<std::string>{ "open-surface" });
+    texts(pipeline.crust->GetOutput(), "WarningCode"), std::vector<std::string>{ "open_surface" });
 }
 
 TEST(Warnings, OfStagesAreWarningsOfTheWholeFilter)
@@ -246,7 +246,7 @@ TEST(Verdict, IsNotCertifiedForADoubtedSolid)
   vtkPolyData* crust = pipeline->crust->GetOutput();
   EXPECT_EQ(texts(crust, "Verdict"), std::vector<std::string>{ "not certified" });
   ASSERT_EQ(texts(crust, "VerdictReasons").size(), 1);
-  EXPECT_NE(texts(crust, "VerdictReasons")[0].find("'made-up'"), std::string::npos);
+  EXPECT_NE(texts(crust, "VerdictReasons")[0].find("'made_up'"), std::string::npos);
   EXPECT_TRUE(same(filterTest::writtenAndRead(crust), crust));
 }
 
@@ -261,7 +261,7 @@ TEST(Verdict, KnowsTheWarningsOfTheAxis)
   const ErrorLog log(filter, vtkCommand::WarningEvent);
   filter->Update();
   EXPECT_EQ(texts(filter->GetOutput(), "Verdict"), std::vector<std::string>{ "not certified" });
-  EXPECT_EQ(texts(filter->GetOutput(), "WarningCode"), std::vector<std::string>{ "made-up" });
+  EXPECT_EQ(texts(filter->GetOutput(), "WarningCode"), std::vector<std::string>{ "made_up" });
   EXPECT_EQ(log.messages().size(), 1u);
 }
 
@@ -343,7 +343,7 @@ TEST(Verdict, IsNotPassedOnByASurfaceThatBecomesSamples)
     vtkDataObject* output = balls->GetOutputDataObject(port);
     EXPECT_TRUE(texts(output, "Verdict").empty());
     EXPECT_TRUE(texts(output, "VerdictReasons").empty());
-    EXPECT_EQ(texts(output, "WarningCode"), std::vector<std::string>{ "made-up" });
+    EXPECT_EQ(texts(output, "WarningCode"), std::vector<std::string>{ "made_up" });
   }
 }
 }

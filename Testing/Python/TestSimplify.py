@@ -98,13 +98,13 @@ class Simplify(unittest.TestCase):
     def test_issues_each_doubt_as_a_warning(self):
         points = surface_of(ellipsoid())
         for doubts_solid in (False, True):
-            add_warning(points, "made-up", doubts_solid)
+            add_warning(points, "made_up", doubts_solid)
             with warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter("always")
                 result = simplify(points)
             open_surface, made_up = sorted(result.doubts, reverse=True)
-            self.assertEqual(made_up, ("made-up", "A test has made this up.", 7, (1, 2, 3), doubts_solid))
-            self.assertEqual(open_surface.code, "open-surface")
+            self.assertEqual(made_up, ("made_up", "A test has made this up.", 7, (1, 2, 3), doubts_solid))
+            self.assertEqual(open_surface.code, "open_surface")
             self.assertEqual(open_surface.count, 3)
             self.assertEqual(medialaxis.doubts_of(result.axis), result.doubts)
             texts = [str(warning.message) for warning in caught]

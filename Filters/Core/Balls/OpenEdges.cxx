@@ -59,7 +59,7 @@ Warnings openSurfaceWarnings(const IndexLists& polygons, const std::vector<Index
     return {};
   }
   const Index number = count(open);
-  return { { "open-surface",
+  return { { "open_surface",
     text("The surface is open: ", number, number == 1 ? " edge has" : " edges have",
       " a polygon on one side only. Gaps between the points are closed as the balls have it; fill "
       "large holes first, or look at the result there."),

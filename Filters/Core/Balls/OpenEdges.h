@@ -19,7 +19,7 @@ namespace medial
 /// @param duplicateOf  for each point another one that is the same, or None
 std::vector<Edge> openEdges(const IndexLists& polygons, const std::vector<Index>& duplicateOf);
 
-/// `open-surface`, if there are open edges. It does not doubt the solid: the points may still be dense
+/// `open_surface`, if there are open edges. It does not doubt the solid: the points may still be dense
 /// everywhere, as where two patches were not sewn together. Whether a gap is so wide that its closing is
 /// invented shows in the surface.
 /// @param points  of the polygons

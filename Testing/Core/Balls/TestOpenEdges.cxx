@@ -77,7 +77,7 @@ TEST(OpenEdges, AreWarnedOfWithNumberAndPlace)
   EXPECT_TRUE(medial::openSurfaceWarnings(cube(), noDuplicates(8), points).empty());
   const medial::Warnings warnings = medial::openSurfaceWarnings(cube(5), noDuplicates(8), points);
   ASSERT_EQ(warnings.size(), 1);
-  EXPECT_EQ(warnings[0].code, "open-surface");
+  EXPECT_EQ(warnings[0].code, "open_surface");
   EXPECT_NE(warnings[0].text.find("4 edges"), std::string::npos);
   EXPECT_EQ(warnings[0].count, 4);
   EXPECT_EQ(warnings[0].place, points[1]);

@@ -91,7 +91,7 @@ TEST(Verdict, TellsEveryReason)
   Findings findings = agreeing();
   findings.axis->unpruned = { 1, 3, 0 };
   findings.closed = findings.manifold = false;
-  findings.warnings = { warning("noise", true), warning("open-surface", false),
+  findings.warnings = { warning("noise", true), warning("open_surface", false),
     warning("outliers", true) };
   const Verdict verdict = medial::verdict(findings);
   EXPECT_FALSE(verdict.certified);
@@ -124,7 +124,7 @@ TEST(Verdict, AllowsPruningToChangeTheTopologyWhereTheUserDoes)
 TEST(Verdict, SuffersWarningsThatDoNotDoubtTheSolid)
 {
   Findings findings = agreeing();
-  findings.warnings = { warning("fallback", false), warning("open-surface", false) };
+  findings.warnings = { warning("fallback", false), warning("open_surface", false) };
   EXPECT_TRUE(medial::verdict(findings).certified);
 }
 }
