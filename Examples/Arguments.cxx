@@ -172,7 +172,7 @@ std::string usage()
   SimplifyShape INPUT [options]
 
 INPUT is a .ply .stl .obj .vtp .vtu .off or .xyz file. Its points are taken as samples of the
-solid's closed boundary; cells are ignored.
+solid's closed boundary; polygons only tell whether that is open.
 
 )" + helpOf(optionsOf(defaults)) +
     R"(

@@ -119,5 +119,11 @@ Input readInput(const std::string& file, bool dropInvalid)
   }
   input.samples = vtkSmartPointer<vtkPolyData>::New();
   input.samples->SetPoints(input.invalid > 0 ? finite.Get() : points);
+  vtkPolyData* surface = vtkPolyData::SafeDownCast(data);
+  if (surface && input.invalid == 0)
+  {
+    input.samples->SetPolys(surface->GetPolys());
+    input.samples->SetStrips(surface->GetStrips());
+  }
   return input;
 }

@@ -26,6 +26,25 @@ DATA = {"balls.vtu", "samples.vtp", "axis.vtp", "parts.vtp", "pruned.vtp", "surf
 PICTURES = {"samples.png", "axis.png", "parts.png", "pruned.png", "surface.png", "overview.png"}
 
 
+def grid_cube(n, sides):
+    """The points of some sides of a cube, (n + 1)^2 on each; the last side is the lid."""
+    for axis, end in [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1)][:sides]:
+        for i in range(n + 1):
+            for j in range(n + 1):
+                point = [end, end, end]
+                point[axis - 2], point[axis - 1] = i / n, j / n
+                yield point
+
+
+def grid_squares(n, sides):
+    """Their squares, with numbers of points from 1 on."""
+    for side in range(sides):
+        for i in range(n):
+            for j in range(n):
+                at = side * (n + 1)**2 + i * (n + 1) + j + 1
+                yield at, at + 1, at + n + 2, at + n + 1
+
+
 def triangles(stl):
     """The triangles of a binary .stl file, corners as tuples."""
     with open(stl, "rb") as file:
@@ -162,6 +181,24 @@ class SimplifyShape(ProgramTest):
             self.assertEqual(done.stdout.count("warning   " + warning["text"]), 1)
             self.assertTrue(warning["place"] is None or len(warning["place"]) == 3)
         self.assertNotIn("warning", done.stderr)
+        self.assertEqual("fallback" in [warning["code"] for warning in report["warnings"]],
+                         report["fallback"])
+
+    def test_open_surface_is_warned_of(self):
+        """A cube of squares, as .obj, whole and without its lid."""
+        for sides, warned in ((6, []), (5, [("open_surface", 48)])):
+            text = "".join("v %r %r %r\n" % tuple(point) for point in grid_cube(12, sides))
+            text += "".join("f %d %d %d %d\n" % square for square in grid_squares(12, sides))
+            out = self.path("cube%d" % sides)
+            done = self.run_program(self.write("cube.obj", text), "--output", out)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(os.path.join(out, "report.json")) as file:
+                report = json.load(file)
+            found = [warning for warning in report["warnings"] if warning["code"] == "open_surface"]
+            self.assertEqual([(warning["code"], warning["count"]) for warning in found], warned)
+            for warning in found:
+                self.assertEqual(warning["place"][2], 1)
+            self.check_warnings(report, done)
 
     def test_input_is_not_overwritten(self):
         _, out = self.simplify(ellipsoid(600))

@@ -88,6 +88,9 @@ class Inputs(ProgramTest):
             report = json.load(file)
         for key in ("seconds", "peakMemoryMiB"):
             del report[key]
+        # The few polygons that some of these files have are an open surface.
+        report["warnings"] = [warning for warning in report["warnings"]
+                              if warning["code"] != "open_surface"]
         return report
 
     def refuse(self, name, content, *fragments):
