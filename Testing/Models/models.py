@@ -90,11 +90,10 @@ class Model:
         return prune
 
     def surface(self, prune=None):
-        """The power crust of the pruned axis, or of all inner balls."""
+        """The power crust of the pruned axis, or of the whole one."""
         crust = vtkPowerCrust()
         crust.SetInputConnection(self.balls.GetOutputPort())
-        if prune:
-            crust.SetAxisConnection(prune.GetOutputPort())
+        crust.SetAxisConnection((prune or self.axis).GetOutputPort())
         crust.Update()
         return crust.GetOutput()
 
