@@ -184,6 +184,21 @@ class SimplifyShape(ProgramTest):
         self.assertEqual("fallback" in [warning["code"] for warning in report["warnings"]],
                          report["fallback"])
 
+    def test_points_of_a_volume_are_not_certified(self):
+        """The stages agree about a solid of many tunnels, but the points have no surface."""
+        steps = 0.8191725134, 0.6710436067, 0.5497004779
+        points = [tuple(i * step % 1 for step in steps) for i in range(1, 1500)]
+        out = self.path("volume")
+        done = self.run_program(self.write_xyz(points), "--output", out, "--strict",
+                                "--schedule", "")
+        self.assertEqual(done.returncode, 3)
+        with open(os.path.join(out, "report.json")) as file:
+            report = json.load(file)
+        self.assertEqual(report["verdict"]["name"], "not certified")
+        self.assertTrue(any(warning["doubtsSolid"] for warning in report["warnings"]))
+        self.assertIn("may not determine the solid", "".join(report["verdict"]["differs"]))
+        self.check_warnings(report, done)
+
     def test_open_surface_is_warned_of(self):
         """A cube of squares, as .obj, whole and without its lid."""
         for sides, warned in ((6, []), (5, [("open_surface", 48)])):

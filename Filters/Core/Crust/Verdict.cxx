@@ -52,18 +52,21 @@ std::vector<std::string> faults(const Findings& findings, const Topology& source
   return differences(source, { "surface", findings.crust });
 }
 
+/// One reason, which names the warnings.
 std::vector<std::string> doubts(const Warnings& warnings)
 {
-  std::vector<std::string> result;
+  std::string codes;
   for (const Warning& warning : warnings)
   {
     if (warning.doubtsSolid)
     {
-      result.push_back(
-        text("the samples may not determine the solid, see the warning '", warning.code, "'"));
+      codes += text(codes.empty() ? "" : ", ", "'", warning.code, "'");
     }
   }
-  return result;
+  return codes.empty() ? std::vector<std::string>()
+                       : std::vector<std::string>{ "the samples may not determine the solid, see "
+                                                   "what is warned of: " +
+                           codes };
 }
 
 void append(const std::vector<std::string>& from, std::vector<std::string>& to)
