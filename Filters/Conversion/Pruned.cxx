@@ -6,6 +6,7 @@
 #include "Conversion/Axis.h"
 #include "Conversion/Cells.h"
 #include "Conversion/Parts.h"
+#include "Conversion/Remedies.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

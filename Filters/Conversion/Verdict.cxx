@@ -3,8 +3,7 @@
 
 #include "Conversion/ArrayNames.h"
 #include "Conversion/Arrays.h"
-#include "Conversion/Axis.h"
-#include "Conversion/Balls.h"
+#include "Conversion/Remedies.h"
 #include "Conversion/Warnings.h"
 
 #include "vtkPolyData.h"
