@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Crust/NeededBalls.h"
 
-#include "Balls/PowerShape.h"
+#include "Balls/MarkedBetti.h"
 #include "Base/Lists.h"
 #include "Base/Triangulations.h"
 
