@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Canvas.h"
 
+#include "Errors.h"
+
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkImageShrink3D.h>
@@ -12,6 +14,7 @@
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
@@ -145,7 +148,7 @@ void Canvas::add(vtkRenderer* renderer, const Area& area)
   this->Window->AddRenderer(renderer);
 }
 
-vtkSmartPointer<vtkPNGWriter> Canvas::writer()
+std::string Canvas::png(int compression)
 {
   this->Window->Render();
   vtkNew<vtkWindowToImageFilter> image;
@@ -155,9 +158,17 @@ vtkSmartPointer<vtkPNGWriter> Canvas::writer()
   average->SetInputConnection(image->GetOutputPort());
   average->SetShrinkFactors(Oversampling, Oversampling, 1);
   average->MeanOn();
-  auto writer = vtkSmartPointer<vtkPNGWriter>::New();
+  vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(average->GetOutputPort());
-  return writer;
+  writer->SetCompressionLevel(compression);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (!bytes || bytes->GetNumberOfValues() == 0)
+  {
+    throw InputError("the picture can't be made");
+  }
+  return { bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues() };
 }
 
 void keepDisplay()

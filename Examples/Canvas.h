@@ -9,7 +9,6 @@
 #include <string>
 
 class vtkActor;
-class vtkPNGWriter;
 class vtkPolyData;
 class vtkRenderer;
 
@@ -60,8 +59,10 @@ public:
   /// Draws an object and, in a strip at the bottom of the area, a caption.
   void draw(vtkActor* actor, const View& view, const Area& area, const std::string& caption);
 
-  /// A writer for the picture as it is now; the name of the file is not set.
-  vtkSmartPointer<vtkPNGWriter> writer();
+  /// The picture as it is now, as the content of a .png file.
+  /// @param compression  0 is fast, 9 makes small files
+  /// @throw InputError  it can't be made
+  std::string png(int compression);
 
 private:
   void add(vtkRenderer* renderer, const Area& area);

@@ -4,13 +4,14 @@
 
 #include "Canvas.h"
 #include "DrawingProcess.h"
+#include "DurableFiles.h"
 #include "Errors.h"
 #include "Messages.h"
 #include "Options.h"
 #include "Scenes.h"
+#include "Signals.h"
 
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
@@ -18,6 +19,7 @@
 #include <exception>
 #include <iostream>
 #include <optional>
+#include <system_error>
 
 namespace
 {
@@ -159,13 +161,13 @@ void draw(const PanelArguments& arguments)
     const double left = i % columns * size, bottom = (rows - 1 - i / columns) * size;
     canvas.draw(actor, *view, { left, bottom, double(size), double(size) }, panel.caption);
   }
-  const auto writer = canvas.writer();
-  writer->SetFileName(arguments.picture.c_str());
-  writer->SetCompressionLevel(9);
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
+  try
   {
-    throw InputError(arguments.picture + ": can't be written");
+    replaceFile(arguments.picture, canvas.png(9));
+  }
+  catch (const std::system_error& error)
+  {
+    throw InputError(arguments.picture + ": can't be written: " + error.code().message());
   }
 }
 
@@ -180,6 +182,7 @@ int main(int argc, char* argv[])
 {
   try
   {
+    signals::take("DrawPanels");
     const PanelArguments arguments = parseArguments(argc, argv);
     if (arguments.help)
     {

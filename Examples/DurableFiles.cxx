@@ -59,6 +59,24 @@ void writeFile(const std::filesystem::path& file, std::string_view content)
   sync(opened, file); // what close() could report is reported here
 }
 
+void replaceFile(const std::filesystem::path& file, std::string_view content)
+{
+  std::filesystem::path part = file;
+  part += ".part";
+  std::filesystem::remove(part); // of a run that was killed
+  try
+  {
+    writeFile(part, content);
+    std::filesystem::rename(part, file);
+  }
+  catch (const std::system_error&)
+  {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    throw;
+  }
+}
+
 void sync(const std::filesystem::path& fileOrFolder)
 {
   sync(Opened(fileOrFolder, O_RDONLY), fileOrFolder);

@@ -10,6 +10,10 @@
 /// @throw std::system_error  it can't be written, or exists
 void writeFile(const std::filesystem::path& file, std::string_view content);
 
+/// Writes a file in the place of an older one, if there is one. That stays as it is if this fails.
+/// @throw std::system_error  it can't be written
+void replaceFile(const std::filesystem::path& file, std::string_view content);
+
 /// Waits until the disk has a file's content or a folder's list of files.
 /// @throw std::system_error  the disk reports an error
 void sync(const std::filesystem::path& fileOrFolder);

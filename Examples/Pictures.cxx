@@ -7,9 +7,7 @@
 #include "Scenes.h"
 
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <system_error>
@@ -55,19 +53,9 @@ vtkSmartPointer<vtkPolyData> read(const fs::path& file)
 
 void write(Canvas& canvas, const fs::path& file)
 {
-  const auto writer = canvas.writer();
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  if (!bytes || bytes->GetNumberOfValues() == 0)
-  {
-    throw InputError(file.filename().string() + ": can't be made");
-  }
   try
   {
-    writeFile(file,
-      { reinterpret_cast<const char*>(bytes->GetPointer(0)),
-        static_cast<std::size_t>(bytes->GetNumberOfValues()) });
+    writeFile(file, canvas.png(5));
   }
   catch (const std::system_error& error)
   {

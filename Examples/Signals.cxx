@@ -33,7 +33,7 @@ bool isIgnored(int signal)
   return action.sa_handler == SIG_IGN;
 }
 
-void endBySignal(sigset_t awaited)
+void endBySignal(const std::string& program, sigset_t awaited)
 {
   int signal = 0;
   while (sigwait(&awaited, &signal) != 0)
@@ -47,7 +47,7 @@ void endBySignal(sigset_t awaited)
   pollfd terminal = { STDERR_FILENO, POLLOUT, 0 };
   if (poll(&terminal, 1, 0) == 1 && terminal.revents == POLLOUT) // else nobody reads it
   {
-    dprintf(STDERR_FILENO, "\nSimplifyShape: ended by %s\n", strsignal(signal));
+    dprintf(STDERR_FILENO, "\n%s: ended by %s\n", program.c_str(), strsignal(signal));
   }
   _exit(128 + signal);
 }
@@ -55,7 +55,7 @@ void endBySignal(sigset_t awaited)
 
 namespace signals
 {
-void take()
+void take(const std::string& program)
 {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
@@ -69,7 +69,7 @@ void take()
     }
   }
   pthread_sigmask(SIG_BLOCK, &awaited, &MaskBefore); // threads that begin later inherit it
-  std::thread(endBySignal, awaited).detach();
+  std::thread(endBySignal, program, awaited).detach();
 }
 
 void restoreInChild()

@@ -3,8 +3,9 @@
 #define Signals_h
 
 #include <functional>
+#include <string>
 
-/// What signals do to the program. SIGINT (Ctrl-C), SIGTERM and SIGHUP clean up and end it at once,
+/// What signals do to a program. SIGINT (Ctrl-C), SIGTERM and SIGHUP clean up and end it at once,
 /// whatever it computes, with exit code 128 + signal: 130, 143, 129. One that the program's starter
 /// ignores, as nohup does, stays ignored. A write into a closed pipe, or beyond the size that
 /// `ulimit -f` allows, is an error of that write and doesn't end the program.
@@ -12,7 +13,8 @@ namespace signals
 {
 /// Begins to take the signals, in a thread of its own: nothing has to wait for the stage that runs.
 /// Call it before other threads begin.
-void take();
+/// @param program  its name, for the message
+void take(const std::string& program);
 
 /// Gives a child process, made by fork(), the signals as they were before take().
 void restoreInChild();

@@ -220,7 +220,7 @@ int main(int argc, char* argv[])
 {
   try
   {
-    signals::take();
+    signals::take("SimplifyShape");
     const Arguments arguments = parseArguments(argc, argv);
     if (arguments.help)
     {

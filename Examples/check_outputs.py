@@ -224,6 +224,22 @@ class Outputs(ProgramTest):
                 self.assertEqual(len(os.listdir(self.path("out"))), 16)
 
     @unittest.skipUnless(shutil.which("Xvfb"), "needs Xvfb")
+    def test_panels_at_a_server_that_resets_and_on_a_full_disk(self):
+        _, out = self.simplify(ellipsoid(300))
+        picture = self.write("panels.png", "older")
+        command = [os.path.join(os.path.dirname(PROGRAM), "DrawPanels"), picture, os.path.join(out, "surface.vtp") + ":a"]
+        with x_server() as (_, environment):
+            failed = subprocess.run(command, env=environment, capture_output=True, text=True, preexec_fn=limit_files(500))
+            self.assertEqual(failed.returncode, 2)
+            self.assertIn("panels.png: can't be written: File too large", failed.stderr)
+            self.assertEqual(contents(self.folder.name)["panels.png"], b"older")
+            self.assert_nothing_hidden("out", "panels.png")
+            for _ in range(4):
+                done = subprocess.run(command, env=environment, capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertTrue(contents(self.folder.name)["panels.png"].startswith(b"\x89PNG"))
+
+    @unittest.skipUnless(shutil.which("Xvfb"), "needs Xvfb")
     def test_signal_while_it_draws_costs_only_the_pictures(self):
         with x_server("-noreset") as (_, environment):
             with self.start(ellipsoid(3000), "--picture", environment=environment) as process:
