@@ -176,7 +176,7 @@ class Runs:
             return self.end_by_full_disk(which)
         if way.startswith("no"):
             return self.run_without_links(way, which)
-        return self.end_at_step(way, step or self.random.randint(1, 250), which)
+        return self.end_at_step(way, step or self.random.randint(1, 120), which)
 
     def run(self, way, old, step=0):
         """A run with one input over the results of the other one, or over nothing. Then another run finds its
