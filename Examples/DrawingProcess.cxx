@@ -101,8 +101,13 @@ DrawingProcess::DrawingProcess(const std::string& asker, const Draw& draw)
       " needs an X server, but DISPLAY is not set; use Examples/run, which "
       "starts one, or xvfb-run");
   }
+  const auto deadline = std::chrono::steady_clock::now() + TimeToConnect;
   for (int attempt = 0; attempt < Attempts && !this->isReady(); ++attempt)
   {
+    if (std::chrono::steady_clock::now() > deadline)
+    {
+      break;
+    }
     std::this_thread::sleep_for(attempt > 0 ? Pause : 0ms);
     this->start(draw);
   }
