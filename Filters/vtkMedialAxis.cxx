@@ -4,6 +4,7 @@
 #include "Axis/AxisWarnings.h"
 #include "Conversion/Axis.h"
 #include "Conversion/Balls.h"
+#include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 #include "Pipeline/ReportWarnings.h"
 
@@ -16,6 +17,7 @@ static_assert(vtkMedialAxis::COLLAPSE == static_cast<int>(medial::AxisFallback::
   "the property Fallback is cast to the core's enum");
 
 vtkStandardNewMacro(vtkMedialAxis);
+medialAbortMacro(vtkMedialAxis);
 
 int vtkMedialAxis::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {

@@ -4,6 +4,7 @@
 #include "Conversion/Axis.h"
 #include "Conversion/Parts.h"
 #include "Parts/PartColors.h"
+#include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 
 #include "vtkObjectFactory.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 
 vtkStandardNewMacro(vtkMedialPartDecomposition);
+medialAbortMacro(vtkMedialPartDecomposition);
 
 vtkMedialPartDecomposition::vtkMedialPartDecomposition()
 {

@@ -81,6 +81,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
+   * Stops the run under way, or the next one where there is none. The outputs of a stopped run are empty;
+   * the update after it makes them.
+   */
+  void SetAbortExecute(vtkTypeBool stop) override;
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* mtime) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  /**
    * The colour in which pictures show a part, always the same for the same `PartId`: red, green and
    * blue, 0 ... 1. Neighbouring numbers get very different colours. Light grey for numbers below 0,
    * which stand for no part. In Python: rgb = [0, 0, 0]; GetPartColor(part, rgb).

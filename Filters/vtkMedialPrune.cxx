@@ -6,6 +6,7 @@
 #include "Conversion/Parts.h"
 #include "Conversion/Pruned.h"
 #include "Conversion/SelectedCells.h"
+#include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 #include "Pruning/RemovalByHand.h"
 
@@ -73,6 +74,7 @@ std::string text(const char* characters)
 }
 
 vtkStandardNewMacro(vtkMedialPrune);
+medialAbortMacro(vtkMedialPrune);
 
 vtkMedialPrune::vtkMedialPrune()
   : Lists(new vtkLists)

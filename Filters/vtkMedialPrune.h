@@ -83,6 +83,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
+   * Stops the run under way, or the next one where there is none. The outputs of a stopped run are empty;
+   * the update after it makes them.
+   */
+  void SetAbortExecute(vtkTypeBool stop) override;
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* mtime) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  /**
    * What makes a part significant, with the unit of its thresholds; see GetMeasureUnit and
    * GetMeasureDescription, and Core/Parts/Measures.h for the formulas.
    */

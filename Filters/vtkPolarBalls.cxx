@@ -4,6 +4,7 @@
 #include "Balls/OpenEdges.h"
 #include "Balls/PowerShape.h"
 #include "Conversion/Balls.h"
+#include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 #include "Pipeline/ReportWarnings.h"
 
@@ -13,6 +14,7 @@
 #include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkPolarBalls);
+medialAbortMacro(vtkPolarBalls);
 
 vtkPolarBalls::vtkPolarBalls()
 {

@@ -12,6 +12,7 @@
 #include "Conversion/Warnings.h"
 #include "Crust/Verdict.h"
 #include "Parts/BallShares.h"
+#include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 #include "Pipeline/ReportWarnings.h"
 
@@ -71,6 +72,7 @@ medial::Findings withCrust(
 }
 
 vtkStandardNewMacro(vtkPowerCrust);
+medialAbortMacro(vtkPowerCrust);
 
 vtkPowerCrust::vtkPowerCrust()
 {

@@ -68,6 +68,16 @@ public:
   vtkTypeMacro(vtkPowerCrust, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Stops the run under way, or the next one where there is none. The outputs of a stopped run are empty;
+   * the update after it makes them.
+   */
+  void SetAbortExecute(vtkTypeBool stop) override;
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* mtime) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
   ///@{
   /**
    * The axis whose balls are kept (input 1). SetInputConnection(1, ...) is the same.

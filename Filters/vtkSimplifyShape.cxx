@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSimplifyShape.h"
 
+#include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 #include "Pipeline/RunStage.h"
 #include "vtkMedialAxis.h"
@@ -20,6 +21,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkSimplifyShape);
+medialAbortMacro(vtkSimplifyShape);
 
 vtkSimplifyShape::vtkSimplifyShape()
 {

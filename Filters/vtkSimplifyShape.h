@@ -53,6 +53,16 @@ public:
   vtkTypeMacro(vtkSimplifyShape, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Stops the run under way, or the next one where there is none. The outputs of a stopped run are empty;
+   * the update after it makes them.
+   */
+  void SetAbortExecute(vtkTypeBool stop) override;
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* mtime) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
   ///@{
   /**
    * The schedule of vtkMedialPrune, with the same default, "t5 t5 v1%". If a word or a measure can't be

@@ -5,6 +5,7 @@
 #include "Base/Errors.h"
 #include "Base/Execution.h"
 #include "Collections/Objects.h"
+#include "Pipeline/Abort.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
@@ -18,7 +19,6 @@
 #include "vtkSMPTools.h"
 #include "vtkSetGet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkVersion.h"
 
 #include <algorithm>
 #include <exception>
@@ -123,32 +123,6 @@ inline void emptyOutputs(vtkInformationVector* outputs)
   }
 }
 
-inline bool stopRequested(vtkAlgorithm* filter)
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220101)
-  return filter->CheckAbort();
-#else
-  return filter->GetAbortExecute() != 0;
-#endif
-}
-
-/// Has a filter somewhere before this one been stopped, so that there is no input to work on?
-inline bool inputStopped(vtkAlgorithm* filter)
-{
-  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
-    {
-      vtkAlgorithm* before = filter->GetInputAlgorithm(port, i);
-      if (before->GetAbortExecute() || inputStopped(before))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 /// vtkSMPTools::For with the first exception of any thread thrown again on the calling thread.
 inline void parallelFor(Index count, const Execution::Range& body)
 {
@@ -215,27 +189,31 @@ inline void setErrorMessage(vtkAlgorithm* filter, const std::string& message)
 }
 
 /// Runs body(execution) on every rank and turns what it throws into a VTK error and empty outputs; the
-/// value is that of RequestData. Work that was stopped has empty outputs too, but is no error.
+/// value is that of RequestData. Work that was stopped, or whose input was, has empty outputs too, but is
+/// no error.
 template <typename Body>
 int reportErrorsOfAllRanks(vtkAlgorithm* filter, vtkInformationVector* outputs, const Body& body)
 {
   setErrorCode(filter, vtkErrorCode::NoError);
   setErrorMessage(filter, "");
-  filter->SetAbortExecute(0); // of an earlier execution; since VTK 9.2 nobody else does it
   emptyOutputs(outputs);
   try
   {
+    requireNotStopped(filter);
     body(execution(filter));
+    noteEnd(filter, false);
     return 1;
   }
   catch (const Aborted&)
   {
     emptyOutputs(outputs);
+    noteEnd(filter, true);
     return 1;
   }
   catch (const std::exception& error)
   {
     emptyOutputs(outputs);
+    noteEnd(filter, false);
     setErrorCode(filter, vtkErrorCode::UserError);
     setErrorMessage(filter, error.what());
     vtkErrorWithObjectMacro(filter, << error.what());
@@ -251,7 +229,7 @@ int reportErrors(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVe
   const int result = reportErrorsOfAllRanks(filter, outputs, [&](const Execution& execution) {
     const bool isMine =
       isFirstPiece(request, outputs) || isSharedOut(vtkDataObject::GetData(inputs[0]));
-    if (isMine && !inputStopped(filter))
+    if (isMine)
     {
       body(execution);
     }

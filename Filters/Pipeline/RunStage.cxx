@@ -2,6 +2,7 @@
 #include "Pipeline/RunStage.h"
 
 #include "Base/Errors.h"
+#include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 
 #include "vtkAlgorithm.h"
@@ -76,7 +77,10 @@ private:
     vtkAlgorithm* stage = this->Inner.filter;
     this->Stopped =
       this->Stopped || (this->Work.progress && !this->Work.progress(stage->GetProgress()));
-    stage->SetAbortExecute(this->Stopped);
+    if (this->Stopped)
+    {
+      stage->SetAbortExecute(1);
+    }
   }
 
   vtkAlgorithm* Filter;
@@ -90,10 +94,8 @@ void runStage(vtkAlgorithm* filter, const Stage& toRun, const Execution& executi
   const Listener listener(filter, toRun, execution);
   vtkAlgorithm* stage = toRun.filter;
   stage->Update();
-  if (listener.Stopped)
+  if (stage->GetInformation()->Get(wasStopped()))
   {
-    stage->SetAbortExecute(0);
-    stage->Modified(); // its empty output is not the result: run it again at the next update
     throw Aborted();
   }
   if (stage->GetErrorCode() != vtkErrorCode::NoError)

@@ -292,8 +292,11 @@ TEST(SimplifyShape, StopsInEveryStageAndStartsAgain)
     }
     EXPECT_EQ(simplify->GetErrorCode(), 0u);
     watch.StopAt = 2;
-    simplify->SetAbortExecute(0);
-    simplify->Modified();
+    simplify->Update();
+    EXPECT_TRUE(same(simplify->GetOutput(), boxPipeline().crust->GetOutput()));
+    simplify->SetAbortExecute(1);
+    simplify->Update();
+    EXPECT_TRUE(isEmpty(simplify->GetOutput()));
     simplify->Update();
     EXPECT_TRUE(same(simplify->GetOutput(), boxPipeline().crust->GetOutput()));
   }

@@ -3,6 +3,8 @@
 #include "StageTest.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPassThrough.h>
 
 #include <algorithm>
 #include <sstream>
@@ -62,10 +64,67 @@ TEST_P(Stages, StopWithoutAnErrorAndRunAgain)
     EXPECT_TRUE(isEmpty(alone.filter()->GetOutputDataObject(port)));
   }
   alone.filter()->RemoveObserver(tag);
-  alone.filter()->Modified();
   alone.filter()->Update();
   vtkAlgorithm* model = this->GetParam().of(boxPipeline());
   EXPECT_TRUE(same(alone.filter()->GetOutputDataObject(0), model->GetOutputDataObject(0)));
+}
+
+void expectStopped(vtkAlgorithm* filter)
+{
+  const ErrorLog log(filter);
+  filter->Update();
+  EXPECT_TRUE(log.messages().empty()) << testing::PrintToString(log.messages());
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    EXPECT_TRUE(isEmpty(filter->GetOutputDataObject(port)));
+  }
+}
+
+TEST_P(Stages, StopARunThatHasNotBegun)
+{
+  Alone alone(this->GetParam());
+  vtkAlgorithm* model = this->GetParam().of(boxPipeline());
+  for (int time = 0; time < 2; ++time)
+  {
+    alone.filter()->SetAbortExecute(1);
+    expectStopped(alone.filter());
+  }
+  alone.filter()->Update();
+  EXPECT_TRUE(same(alone.filter()->GetOutputDataObject(0), model->GetOutputDataObject(0)));
+  alone.filter()->SetAbortExecute(1); // what is there goes
+  expectStopped(alone.filter());
+  alone.filter()->SetAbortExecute(1);
+  alone.filter()->SetAbortExecute(0);
+  alone.filter()->Update();
+  EXPECT_TRUE(same(alone.filter()->GetOutputDataObject(0), model->GetOutputDataObject(0)));
+}
+
+TEST_P(Stages, StopInAllBlocksOfACollection)
+{
+  Alone alone(this->GetParam());
+  vtkSmartPointer<vtkDataObject> copied;
+  copied.TakeReference(alone.input()->NewInstance());
+  copied->DeepCopy(alone.input());
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, alone.input());
+  blocks->SetBlock(1, copied);
+  if (this->GetParam().port == 1)
+  {
+    return; // of one object
+  }
+  alone.filter()->SetInputDataObject(0, blocks);
+  const unsigned long tag = alone.filter()->AddObserver(vtkCommand::ProgressEvent, stopper());
+  alone.filter()->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(alone.filter()->GetOutputDataObject(0));
+  ASSERT_TRUE(output);
+  EXPECT_TRUE(isEmpty(output->GetBlock(0)));
+  EXPECT_TRUE(isEmpty(output->GetBlock(1)));
+  alone.filter()->RemoveObserver(tag);
+  alone.filter()->Update();
+  output = vtkMultiBlockDataSet::SafeDownCast(alone.filter()->GetOutputDataObject(0));
+  vtkAlgorithm* model = this->GetParam().of(boxPipeline());
+  EXPECT_TRUE(same(output->GetBlock(0), model->GetOutputDataObject(0)));
+  EXPECT_TRUE(same(output->GetBlock(1), model->GetOutputDataObject(0)));
 }
 
 TEST_P(Stages, GiveEverythingInTheFirstPiece)
@@ -93,11 +152,34 @@ TEST(StoppedPipeline, IsEmptyToItsEndWithoutAnError)
 {
   filterTest::Pipeline pipeline(filterTest::cloud(filterTest::smallBox().samples));
   const ErrorLog ofBalls(pipeline.balls), ofAxis(pipeline.axis), ofCrust(pipeline.crust);
-  pipeline.balls->AddObserver(vtkCommand::ProgressEvent, stopper());
-  pipeline.crust->Update();
+  vtkNew<vtkPassThrough> foreign; // knows nothing of stopping
+  foreign->SetInputConnection(pipeline.crust->GetOutputPort());
+  const unsigned long tag = pipeline.balls->AddObserver(vtkCommand::ProgressEvent, stopper());
+  foreign->Update();
   EXPECT_TRUE(ofBalls.messages().empty());
   EXPECT_TRUE(ofAxis.messages().empty()) << testing::PrintToString(ofAxis.messages());
   EXPECT_TRUE(ofCrust.messages().empty()) << testing::PrintToString(ofCrust.messages());
   EXPECT_TRUE(isEmpty(pipeline.crust->GetOutput()));
+  EXPECT_TRUE(isEmpty(foreign->GetOutputDataObject(0)));
+  pipeline.balls->RemoveObserver(tag);
+  foreign->Update();
+  EXPECT_TRUE(same(foreign->GetOutputDataObject(0), boxPipeline().crust->GetOutput()));
+}
+
+TEST(StoppedPipeline, FollowsAStopOfAFilterThatHasNotBegun)
+{
+  filterTest::Pipeline pipeline(filterTest::cloud(filterTest::smallBox().samples));
+  vtkNew<vtkCallbackCommand> stopsCrust; // while the axis is made
+  stopsCrust->SetClientData(pipeline.crust.Get());
+  stopsCrust->SetCallback([](vtkObject*, unsigned long, void* crust, void*) {
+    static_cast<vtkAlgorithm*>(crust)->SetAbortExecute(1);
+  });
+  const unsigned long tag = pipeline.axis->AddObserver(vtkCommand::StartEvent, stopsCrust);
+  pipeline.crust->Update();
+  EXPECT_FALSE(isEmpty(pipeline.axis->GetOutput()));
+  EXPECT_TRUE(isEmpty(pipeline.crust->GetOutput()));
+  pipeline.axis->RemoveObserver(tag);
+  pipeline.crust->Update();
+  EXPECT_TRUE(same(pipeline.crust->GetOutput(), boxPipeline().crust->GetOutput()));
 }
 }
