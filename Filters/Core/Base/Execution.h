@@ -5,16 +5,19 @@
 #include "Base/Errors.h"
 #include "Base/Types.h"
 
+#include <algorithm>
 #include <functional>
+#include <memory>
 
 namespace medial
 {
-/// How a long computation reports, is stopped, and uses threads. Results never depend on it.
+/// How one long computation reports, is stopped, and uses threads. Results never depend on it.
 struct Execution
 {
   using Range = std::function<void(Index begin, Index end)>;
 
-  /// Called from the calling thread with what is done, 0 ... 1; returns false to stop.
+  /// Called from the calling thread with what is done, 0 ... 1, never less than before; returns false
+  /// to stop.
   std::function<bool(double done)> progress;
 
   /// Calls body(begin, end) for ranges that together are 0 ... count - 1, in any order, on any
@@ -24,29 +27,42 @@ struct Execution
   /// Reports progress. @throw Aborted  the caller wants to stop
   void report(double done) const
   {
-    if (this->progress && !this->progress(done))
+    if (this->progress && !this->raise(done))
     {
       throw Aborted();
     }
   }
 
-  /// Calls body(i) for i in 0 ... count - 1, in any order, on any threads.
+  /// For a step that takes long and does not know how long: reports what was reported last again, so
+  /// that the caller can stop it. No stretch of work without one may last a second.
+  /// @throw Aborted  the caller wants to stop
+  void poll() const { this->report(0); }
+
+  /// Calls body(i) for i in 0 ... count - 1, in any order, on any threads. Polls in between.
+  /// @throw Aborted  the caller wants to stop
   template <typename Body>
   void forEach(Index count, const Body& body) const
   {
-    const Range range = [&body](Index begin, Index end) {
-      for (Index i = begin; i < end; ++i)
+    constexpr Index chunk =
+      4096; // far below a second's work, far above the costs of starting threads
+    for (Index first = 0; first < count; first += std::min(chunk, count - first))
+    {
+      const Range range = [&body, first](Index begin, Index end) {
+        for (Index i = first + begin; i < first + end; ++i)
+        {
+          body(i);
+        }
+      };
+      const Index size = std::min(chunk, count - first);
+      if (this->parallelFor)
       {
-        body(i);
+        this->parallelFor(size, range);
       }
-    };
-    if (this->parallelFor)
-    {
-      this->parallelFor(count, range);
-    }
-    else
-    {
-      range(0, count);
+      else
+      {
+        range(0, size);
+      }
+      this->poll();
     }
   }
 
@@ -57,11 +73,21 @@ struct Execution
     Execution result = *this;
     if (this->progress)
     {
-      result.progress = [report = this->progress, from, to](
-                          double done) { return report(from + done * (to - from)); };
+      result.done = std::make_shared<double>(0);
+      result.progress = [whole = *this, from, to](
+                          double part) { return whole.raise(from + part * (to - from)); };
     }
     return result;
   }
+
+private:
+  bool raise(double to) const
+  {
+    *this->done = std::max(*this->done, to);
+    return this->progress(*this->done);
+  }
+
+  std::shared_ptr<double> done = std::make_shared<double>(0); ///< what was reported last
 };
 }
 

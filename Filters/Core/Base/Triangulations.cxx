@@ -58,7 +58,7 @@ void insertInOrder(Triangulation& triangulation, const std::vector<std::size_t>&
   typename Triangulation::Cell_handle hint;
   for (Index i = 0; i < count(order); ++i)
   {
-    if (i % 4096 == 0)
+    if (i % 1024 == 0)
     {
       execution.report(static_cast<double>(i) / count(order));
     }
