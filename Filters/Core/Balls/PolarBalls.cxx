@@ -7,6 +7,7 @@
 #include "Balls/Sides.h"
 #include "Base/Frame.h"
 #include "Base/Lists.h"
+#include "Base/Tetrahedra.h"
 #include "Base/Triangulations.h"
 
 #include <algorithm>
@@ -167,7 +168,7 @@ void measureVolumes(const DelaunaySpheres& spheres, const std::vector<Index>& ba
   }
 }
 
-std::vector<Tetrahedron> powerCells(const std::vector<Ball>& balls, const Execution& execution)
+Tetrahedra powerCells(const std::vector<Ball>& balls, const Execution& execution)
 {
   std::vector<Ball> weighted;
   weighted.reserve(balls.size());
@@ -177,7 +178,7 @@ std::vector<Tetrahedron> powerCells(const std::vector<Ball>& balls, const Execut
   }
   RegularTriangulation triangulation;
   triangulation.insert(weighted, execution);
-  return triangulation.tetrahedra().cells;
+  return triangulation.tetrahedra();
 }
 
 /// Fills innerBall and outerBall. A repeated sample has the balls of the first one at its place.
@@ -265,7 +266,9 @@ PolarBallsAndSamples polarBallsAndSamples(
   result.samples = samples;
   const std::vector<Index> ballOfCell = numberBalls(spheres, poleClasses, result);
   collectSamples(spheres, ballOfCell, distinct.ids, result);
-  result.cells = powerCells(result.balls, execution.between(0.2, 0.8));
+  const Tetrahedra mesh = powerCells(result.balls, execution.between(0.2, 0.8));
+  const std::vector<Edge> edges = edgeNumbers(mesh.cells, count(result.balls)).edges;
+  result.cells = mesh.cells;
 
   std::vector<std::array<Index, 2>> ballsOfSample(poleClasses.size());
   for (std::size_t s = 0; s < poleClasses.size(); ++s)
@@ -275,15 +278,14 @@ PolarBallsAndSamples polarBallsAndSamples(
       ballsOfSample[s][k] = poleClasses[s][k] == None ? None : ballOfCell[poleClasses[s][k]];
     }
   }
-  result.sides =
-    sides({ distinct.points, ballsOfSample, result.balls, result.touchesGuard, result.cells },
-      execution.between(0.8, 0.9));
+  result.sides = sides({ distinct.points, ballsOfSample, result.balls, result.touchesGuard, edges },
+    execution.between(0.8, 0.9));
   measureVolumes(spheres, ballOfCell, ballsOfSample, result, execution);
   assignBalls(distinct, ballsOfSample, result);
   made.samples = describeSamples(distinct, ballsOfSample, result.balls);
   result.spacing = meanSpacing(spheres);
   made.samples.warnings = sampleDoubts({ samples, distinct, ballsOfSample, result.balls,
-                                         result.sides, result.ballSamples, result.cells },
+                                         result.sides, result.ballSamples, mesh, edges },
     execution.between(0.9, 1));
   toWorld(distinct.frame, result);
   execution.report(1);

@@ -147,15 +147,13 @@ Warnings sampleDoubts(const DoubtInput& input, const Execution& execution)
   const Neighbors neighbors(points);
   const Nearness near = nearness(points, neighbors, execution);
   execution.report(0.3);
-  Tetrahedra mesh = withNeighbors(input.cells);
-  const std::vector<Edge> edges = edgeNumbers(mesh.cells, count(input.balls)).edges;
   const std::vector<double> atBalls = spacingsAtBalls(input, near.spacings);
   const SampleEvidence evidence{ input.distinct.frame, points, input.ballsOfSample, input.balls,
-    input.sides, mesh, edges, near.spacings, atBalls };
+    input.sides, input.mesh, input.edges, near.spacings, atBalls };
   std::vector<char> inner(input.balls.size());
   std::transform(input.sides.begin(), input.sides.end(), inner.begin(),
     [](Side side) { return side == Side::Inner; });
-  const Betti betti = markedBetti(mesh, edges, inner);
+  const Betti betti = markedBetti(input.mesh, input.edges, inner);
   execution.report(0.6);
   const std::vector<Support> support = supports(evidence);
   std::vector<char> contested(support.size());

@@ -22,8 +22,9 @@ struct DoubtInput
   const std::vector<std::array<Index, 2>>& ballsOfSample; ///< of each distinct sample, or None
   const std::vector<Ball>& balls;
   const std::vector<Side>& sides;
-  const IndexLists& ballSamples;         ///< by their numbers in `samples`
-  const std::vector<Tetrahedron>& cells; ///< of the balls' regular triangulation
+  const IndexLists& ballSamples;  ///< by their numbers in `samples`
+  const Tetrahedra& mesh;         ///< the balls' regular triangulation, with neighbours
+  const std::vector<Edge>& edges; ///< of the mesh
 };
 
 /// What is doubtful about samples and balls. `Filters/README.md` lists the codes. Takes O(n log n) time.

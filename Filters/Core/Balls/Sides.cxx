@@ -3,7 +3,6 @@
 
 #include "Base/Frame.h"
 #include "Base/Lists.h"
-#include "Base/Tetrahedra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +42,7 @@ struct Pair
 std::vector<Pair> pairs(const SideInput& input)
 {
   std::vector<Pair> result;
-  for (const Edge& edge : edgeNumbers(input.cells, count(input.balls)).edges)
+  for (const Edge& edge : input.edges)
   {
     const double strength = intersectionDepth(input.balls[edge[0]], input.balls[edge[1]]);
     if (strength > 0)
@@ -148,12 +147,9 @@ std::vector<Side> sides(const SideInput& input, const Execution& execution)
   execution.report(0.5);
   spread(network, beliefs, result);
   std::vector<char> visible(result.size(), 0);
-  for (const Tetrahedron& cell : input.cells)
+  for (const auto& [a, b] : input.edges)
   {
-    for (const Index ball : cell)
-    {
-      visible[ball] = 1;
-    }
+    visible[a] = visible[b] = 1;
   }
   for (std::size_t b = 0; b < result.size(); ++b)
   {

@@ -16,7 +16,7 @@ struct SideInput
   const std::vector<std::array<Index, 2>>& ballsOfSample; ///< its two polar balls, or None
   const std::vector<Ball>& balls;
   const std::vector<char>& touchesGuard; ///< for each ball
-  const std::vector<Tetrahedron>& cells; ///< of the balls' regular triangulation
+  const std::vector<Edge>& edges;        ///< of the balls' regular triangulation
 };
 
 /// The side of each ball ([ACK01] section 4).
