@@ -22,7 +22,12 @@ std::vector<Point> roundedToFloats(std::vector<Point> points)
 {
   for (Point& point : points)
   {
-    point = point.cast<float>().cast<double>();
+    for (double& coordinate : point)
+    {
+      // Volatile, because GCC 12 at -O3 leaves the last coordinates of the vector as they are.
+      const volatile auto rounded = static_cast<float>(coordinate);
+      coordinate = rounded;
+    }
   }
   return points;
 }

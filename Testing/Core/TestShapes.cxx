@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,18 @@ TEST(Shapes, MotionsAreUndone)
   const std::vector<Index> order = shapes::shuffledOrder(points.size(), 7);
   EXPECT_EQ(hausdorffDistance(points, shapes::reordered(points, order)), 0);
   EXPECT_NE(shapes::reordered(points, order), points);
+}
+
+TEST(Shapes, FloatsAreRoundedToTheLastOne)
+{
+  for (const Point& point :
+    shapes::roundedToFloats(shapes::moved(shapes::sphere().samples, Point(3e6, 5e5, 2e6))))
+  {
+    for (const double coordinate : point)
+    {
+      ASSERT_EQ(std::fmod(coordinate, 1.0 / 32), 0);
+    }
+  }
 }
 
 TEST(Shapes, AreTheSameInEveryRun)

@@ -7,6 +7,7 @@
 #include "Balls/SampleEvidence.h"
 #include "Balls/StraySamples.h"
 #include "Balls/SurfaceGaps.h"
+#include "Balls/ThinFeatures.h"
 #include "Base/Neighbors.h"
 
 #include <algorithm>
@@ -38,20 +39,29 @@ Nearness nearness(
   return result;
 }
 
-std::vector<double> spacingsAtBalls(const DoubtInput& input, const std::vector<double>& spacings)
+struct SpacingsAtBalls
+{
+  std::vector<double> largest, mean;
+};
+
+SpacingsAtBalls spacingsAtBalls(const DoubtInput& input, const std::vector<double>& spacings)
 {
   std::vector<double> ofSample(input.samples.size(), 0);
   for (std::size_t s = 0; s < spacings.size(); ++s)
   {
     ofSample[input.distinct.ids[s]] = spacings[s];
   }
-  std::vector<double> result(input.balls.size(), 0);
-  for (Index b = 0; b < count(result); ++b)
+  SpacingsAtBalls result;
+  for (Index b = 0; b < count(input.balls); ++b)
   {
+    double largest = 0, sum = 0;
     for (const Index s : input.ballSamples[b])
     {
-      result[b] = std::max(result[b], ofSample[s]);
+      largest = std::max(largest, ofSample[s]);
+      sum += ofSample[s];
     }
+    result.largest.push_back(largest);
+    result.mean.push_back(sum / std::max(1, input.ballSamples[b].size()));
   }
   return result;
 }
@@ -147,9 +157,9 @@ Warnings sampleDoubts(const DoubtInput& input, const Execution& execution)
   const Neighbors neighbors(points);
   const Nearness near = nearness(points, neighbors, execution);
   execution.report(0.3);
-  const std::vector<double> atBalls = spacingsAtBalls(input, near.spacings);
+  const SpacingsAtBalls atBalls = spacingsAtBalls(input, near.spacings);
   const SampleEvidence evidence{ input.distinct.frame, points, input.ballsOfSample, input.balls,
-    input.sides, input.mesh, input.edges, near.spacings, atBalls };
+    input.sides, input.mesh, input.edges, near.spacings, atBalls.largest, atBalls.mean };
   std::vector<char> inner(input.balls.size());
   std::transform(input.sides.begin(), input.sides.end(), inner.begin(),
     [](Side side) { return side == Side::Inner; });
@@ -161,6 +171,7 @@ Warnings sampleDoubts(const DoubtInput& input, const Execution& execution)
 
   Warnings result = contestedTopology(evidence, support, contested, betti);
   execution.report(0.9);
+  append(result, thinFeatures(evidence, betti));
   append(result, emptiness(betti));
   append(result, proportion(betti, count(points)));
   append(result, straySamples(evidence, near.nearest));

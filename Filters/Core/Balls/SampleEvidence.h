@@ -28,7 +28,10 @@ struct SampleEvidence
   /// a sample of an evenly sampled surface, at 1.4 to 1.7 times the distance of the nearest one. The
   /// sixth depends less on chance than the first.
   const std::vector<double>& spacings;
-  const std::vector<double>& spacingsAtBalls; ///< the largest one of the samples on each ball
+
+  // Of the samples on each ball.
+  const std::vector<double>& largestSpacings;
+  const std::vector<double>& meanSpacings;
 };
 }
 

@@ -2,7 +2,9 @@
 #include "Balls/StraySamples.h"
 
 #include <algorithm>
-#include <sstream>
+#include <functional>
+#include <string>
+#include <utility>
 
 namespace medial
 {
@@ -13,23 +15,6 @@ double median(std::vector<double> values)
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-/// A warning about the samples for which `isMeant` is true; its count is 0 where there is none.
-template <typename IsMeant>
-Warning about(const SampleEvidence& evidence, const char* code, const IsMeant& isMeant)
-{
-  Warning result;
-  result.code = code;
-  for (Index s = 0; s < count(evidence.points); ++s)
-  {
-    if (isMeant(s))
-    {
-      result.place = result.place ? result.place : evidence.frame.toWorld(evidence.points[s]);
-      ++result.count;
-    }
-  }
-  return result;
 }
 
 /// The radius of a sample's larger polar ball, in local spacings. On a surface it is the distance to the
@@ -53,13 +38,33 @@ bool isOneSided(const SampleEvidence& evidence, Index s)
   return -u.normalized().dot(v.normalized()) > 0.5; // not at a sharp edge
 }
 
-void append(Warnings& warnings, Warning warning, double share, double allowed, const char* seen)
+/// A kind of samples that are on no surface.
+struct Kind
 {
-  if (warning.count > allowed * share)
+  const char* code;
+  std::function<bool(Index)> isMeant;
+  double remarkable; ///< share of all samples above which it is said
+  double doubtful;   ///< and above which the solid is doubtful
+  const char* text;  ///< after the number of samples
+};
+
+void append(const SampleEvidence& evidence, const Kind& kind, Warnings& warnings)
+{
+  const auto all = static_cast<double>(evidence.points.size());
+  Warning warning;
+  for (Index s = 0; s < count(evidence.points); ++s)
   {
-    std::ostringstream text;
-    text << warning.count << seen;
-    warning.text = text.str();
+    if (kind.isMeant(s))
+    {
+      warning.place = warning.place ? warning.place : evidence.frame.toWorld(evidence.points[s]);
+      ++warning.count;
+    }
+  }
+  if (warning.count > kind.remarkable * all)
+  {
+    warning.code = kind.code;
+    warning.text = std::to_string(warning.count) + kind.text;
+    warning.doubtsSolid = warning.count > kind.doubtful * all;
     warnings.push_back(std::move(warning));
   }
 }
@@ -67,45 +72,39 @@ void append(Warnings& warnings, Warning warning, double share, double allowed, c
 
 Warnings straySamples(const SampleEvidence& evidence, const std::vector<Index>& nearest)
 {
-  const auto all = static_cast<double>(evidence.points.size());
+  constexpr double never = 1;
   const double usual = median(evidence.spacings);
   const auto nearestDistance = [&](Index s) {
     return (evidence.points[nearest[s]] - evidence.points[s]).norm();
   };
+  const std::vector<Kind> kinds{
+    { "interior_samples",
+      [&](Index s) { return reach(evidence, s) < 1.2 && evidence.spacings[s] > 1.5 * usual; }, 0,
+      0.003, // a single one makes a small pit at most
+      " samples seem to be on no surface: others are on all sides of them, and they are sparser "
+      "than "
+      "the others. Remove stray points; give points of the boundary only." },
+    { "volume_samples", [&](Index s) { return reach(evidence, s) < 1; }, 0.2, 0.2,
+      " samples have others on all sides, as in a volume or in strong noise. Give points of the "
+      "boundary only, or sample thin walls more densely." },
+    { "one_sided_samples", [&](Index s) { return isOneSided(evidence, s); }, 0.02, 0.02,
+      " samples have the solid on both of their sides or on none. Give points of a closed surface, "
+      "evenly spaced in all directions." },
+    { "isolated_samples",
+      [&](Index s) { return nearestDistance(s) > 3 * evidence.spacings[nearest[s]]; }, 0, never,
+      " samples are far from all others, measured by the spacing there. Remove outliers, or fill "
+      "the "
+      "gap around them." },
+    { "clustered_samples",
+      [&](Index s) { return nearestDistance(s) < 1e-3 * evidence.spacings[s]; }, 0.01, never,
+      " samples are a thousand times nearer to another one than the spacing. Merge near "
+      "duplicates." },
+  };
   Warnings result;
-  Warning interior = about(evidence, "interior_samples",
-    [&](Index s) { return reach(evidence, s) < 1.2 && evidence.spacings[s] > 1.5 * usual; });
-  interior.doubtsSolid = true;
-  append(result, std::move(interior), all, 0,
-    " samples seem to be on no surface: there are samples on all sides of them, and they are "
-    "sparser "
-    "than the others. Remove stray points; give points of the boundary only.");
-  Warning volume =
-    about(evidence, "volume_samples", [&](Index s) { return reach(evidence, s) < 1; });
-  volume.doubtsSolid = true;
-  append(result, std::move(volume), all, 0.03,
-    " samples are surrounded by others on all sides, as in a volume or in strong noise. Give "
-    "points "
-    "of the boundary only, or sample thin walls more densely.");
-  Warning oneSided =
-    about(evidence, "one_sided_samples", [&](Index s) { return isOneSided(evidence, s); });
-  oneSided.doubtsSolid = true;
-  append(result, std::move(oneSided), all, 0.02,
-    " samples have the solid on both of their sides or on none. Give points of a closed surface, "
-    "evenly "
-    "spaced in all directions.");
-  append(result,
-    about(evidence, "isolated_samples",
-      [&](Index s) { return nearestDistance(s) > 3 * evidence.spacings[nearest[s]]; }),
-    all, 0,
-    " samples are far from all others, measured by the spacing there. Remove outliers, or fill the "
-    "gap "
-    "around them.");
-  append(result,
-    about(evidence, "clustered_samples",
-      [&](Index s) { return nearestDistance(s) < 1e-3 * evidence.spacings[s]; }),
-    all, 0.01,
-    " samples are a thousand times nearer to another one than the spacing. Merge near duplicates.");
+  for (const Kind& kind : kinds)
+  {
+    append(evidence, kind, result);
+  }
   return result;
 }
 }

@@ -31,7 +31,7 @@ Circle commonCircle(const Ball& a, const Ball& b)
 
 Warnings surfaceGaps(const SampleEvidence& evidence, const std::vector<char>& contested)
 {
-  const std::vector<double>& spacings = evidence.spacingsAtBalls;
+  const std::vector<double>& spacings = evidence.largestSpacings;
   constexpr double tooWide = 1.5; // spacings; circles of evenly spread samples stay below 1
   DisjointSets gaps(count(evidence.balls));
   std::vector<char> atGap(evidence.balls.size(), 0);
