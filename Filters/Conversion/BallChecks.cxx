@@ -134,11 +134,12 @@ void checkBalls(const PolarBalls& balls)
   checkSamplesOnBalls(balls, size);
   checkBallsOfSamples(balls, balls.innerBall, Side::Inner, names::SampleInnerBall);
   checkBallsOfSamples(balls, balls.outerBall, Side::Outer, names::SampleOuterBall);
-  if (!(balls.spacing <= size))
+  // Distances below `coincident` don't count for it. Far smaller ones would have the crust refined for ever.
+  if (!(balls.spacing * frame.scale >= coincident && balls.spacing <= size))
   {
     throw InvalidInput("the field array '", names::SampleSpacing, "' has the value ", balls.spacing,
-      ", which is more than the diagonal ", size,
-      " of the samples' bounding box: ", TakePolarBalls);
+      "; only numbers from ", coincident / frame.scale, " to ", size,
+      ", the diagonal of the samples' bounding box, can be there: ", TakePolarBalls);
   }
   checkTetrahedra(balls, moved * size, moved);
 }
