@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <sstream>
 
@@ -87,7 +88,7 @@ Warnings noise(
     return {};
   }
   std::ostringstream text;
-  text << "Half of the samples scatter by " << estimate
+  text << std::setprecision(3) << "Half of the samples scatter by " << estimate
        << " of their spacing or more about a smooth surface: noise, or features too small for the "
           "samples. Smooth the samples or take fewer of them against noise, more against small "
           "features.";
@@ -139,7 +140,7 @@ Warnings floatRounding(const DoubtInput& input, const std::vector<double>& spaci
     return {};
   }
   std::ostringstream text;
-  text << "The coordinates were rounded to 32-bit floats: they lie " << step
+  text << std::setprecision(3) << "The coordinates were rounded to 32-bit floats: they lie " << step
        << " apart, the samples " << usual
        << ". Move the object to the origin before it is stored so, or store doubles.";
   return { { "float_rounding", text.str(), count(input.samples), {}, false } };

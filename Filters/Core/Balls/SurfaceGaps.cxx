@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace medial
@@ -64,8 +65,9 @@ Warnings surfaceGaps(const SampleEvidence& evidence, const std::vector<char>& co
   }
   const double share = largest.radius * largest.radius / samples;
   std::ostringstream text;
-  text << "The surface crosses " << warning.count << " gaps without samples; the largest is "
-       << 2 * largest.radius / evidence.frame.scale << " wide, " << 100 * share
+  text << std::setprecision(3) << "The surface crosses " << warning.count
+       << " gaps without samples; the largest is " << 2 * largest.radius / evidence.frame.scale
+       << " wide, " << 100 * share
        << " % of the sampled area. Its shape is a guess there. Complete the samples.";
   warning.code = "gaps";
   warning.text = text.str();
