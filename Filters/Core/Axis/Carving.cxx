@@ -216,8 +216,10 @@ void carve(const SiteTriangulation& sites, OpenSet& set, const Execution& execut
   {
     changed = false;
     execution.report(0.5);
-    for (Index& c : order)
+    for (Index i = 0; i < count(order); ++i)
     {
+      execution.pollAt(i);
+      Index& c = order[i];
       if (isSimple(sites, set, outside, c))
       {
         set.cells[c] = 0;

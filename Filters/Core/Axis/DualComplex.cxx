@@ -123,18 +123,25 @@ void addPoints(const AllVertices& vertices, std::vector<FacePolygon>& polygons, 
 }
 
 AxisComplex dualComplex(const PolarBalls& polarBalls, const SingularPoints& singularPoints,
-  const SiteTriangulation& sites, const OpenSet& set, const Frame& frame)
+  const SiteTriangulation& sites, const OpenSet& set, const Frame& frame,
+  const Execution& execution)
 {
   const AxisVertices dual = axisVertices(sites, set);
+  execution.poll();
   std::vector<FacePolygon> polygons = voronoiFaces(sites, set, dual);
+  execution.poll();
   AllVertices vertices = allVertices(polarBalls, sites, frame, dual);
   const MergedVertices merging = mergeVertices(vertices.places, vertices.pole, polygons);
+  execution.poll();
   drop(merging.merged, vertices);
   addMidpoints(merging.midpoints, frame, vertices);
-  drop(trimSheets(faceGeometry(vertices, singularPoints, sites, frame), polygons), vertices);
+  drop(trimSheets(faceGeometry(vertices, singularPoints, sites, frame), polygons, execution),
+    vertices);
+  execution.poll();
   AxisComplex axis;
   addPoints(vertices, polygons, axis);
-  addCells(polygons, sites, singularPoints, frame, axis);
+  addCells(polygons, sites, singularPoints, frame, axis, execution);
+  execution.poll();
   return axis;
 }
 }

@@ -7,6 +7,7 @@
 #include "Axis/SingularPoints.h"
 #include "Axis/SiteTriangulation.h"
 #include "Balls/PolarBalls.h"
+#include "Base/Execution.h"
 #include "Base/Frame.h"
 
 namespace medial
@@ -18,7 +19,8 @@ namespace medial
 /// triangulated (FaceTriangulation.h).
 /// @param frame  the one that `sites` are in
 AxisComplex dualComplex(const PolarBalls& polarBalls, const SingularPoints& singularPoints,
-  const SiteTriangulation& sites, const OpenSet& set, const Frame& frame);
+  const SiteTriangulation& sites, const OpenSet& set, const Frame& frame,
+  const Execution& execution = {});
 }
 
 #endif

@@ -77,7 +77,7 @@ bool isOneFront(
 class Fire
 {
 public:
-  Fire(const AxisComplex& axisComplex, const Sectors& axisSectors)
+  Fire(const AxisComplex& axisComplex, const Sectors& axisSectors, const Execution& execution)
     : axis(axisComplex)
     , sectors(axisSectors)
     , edges(axisSectors.edges)
@@ -90,8 +90,9 @@ public:
       this->trianglesLeft.insert(this->trianglesLeft.end(), 2, this->edges.triangles[e].size());
     }
     this->ignite();
-    while (!this->front.empty())
+    for (Index turn = 0; !this->front.empty(); turn = (turn + 1) % 4096)
     {
+      execution.pollAt(turn);
       const auto [when, sector] = this->front.top();
       this->front.pop();
       if (!this->burnt[sector]) // else an earlier offer came first
@@ -253,10 +254,11 @@ private:
 };
 }
 
-Erosion erosion(const AxisComplex& axis)
+Erosion erosion(const AxisComplex& axis, const Execution& execution)
 {
   const Sectors sectors(axis.cells, count(axis.points));
-  const Fire fire(axis, sectors);
+  execution.poll();
+  const Fire fire(axis, sectors, execution);
   std::vector<Ball> balls;
   balls.reserve(axis.points.size());
   for (Index p = 0; p < count(axis.points); ++p)

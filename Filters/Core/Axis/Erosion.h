@@ -3,6 +3,7 @@
 #define medial_Erosion_h
 
 #include "Axis/AxisComplex.h"
+#include "Base/Execution.h"
 
 #include <vector>
 
@@ -30,7 +31,7 @@ struct Erosion
 /// What no fire reaches, such as a closed sheet, has the largest thickness: that of anything else or
 /// the diagonal of the bounding box of all balls, whichever is larger.
 /// @param axis  points, radii and cells count
-Erosion erosion(const AxisComplex& axis);
+Erosion erosion(const AxisComplex& axis, const Execution& execution = {});
 }
 
 #endif

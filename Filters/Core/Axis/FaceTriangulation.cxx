@@ -172,7 +172,8 @@ void addLowerCells(const std::map<Edge, std::vector<Point>>& dangling, const Edg
 }
 
 void addCells(const std::vector<FacePolygon>& polygons, const SiteTriangulation& sites,
-  const SingularPoints& singularPoints, const Frame& frame, AxisComplex& axis)
+  const SingularPoints& singularPoints, const Frame& frame, AxisComplex& axis,
+  const Execution& execution)
 {
   std::map<Edge, std::vector<Point>> dangling;
   EdgeSet sidesOfFaces, edges;
@@ -194,7 +195,9 @@ void addCells(const std::vector<FacePolygon>& polygons, const SiteTriangulation&
         sitesOf(polygon, sites, singularPoints.positions));
     }
   }
+  execution.poll();
   addTriangles(polygons, sites, singularPoints, frame, edges, axis);
+  execution.poll();
   addLowerCells(dangling, sidesOfFaces, axis);
 }
 }

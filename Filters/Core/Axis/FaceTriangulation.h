@@ -6,6 +6,7 @@
 #include "Axis/FacePolygon.h"
 #include "Axis/SingularPoints.h"
 #include "Axis/SiteTriangulation.h"
+#include "Base/Execution.h"
 #include "Base/Frame.h"
 
 #include <vector>
@@ -18,7 +19,8 @@ namespace medial
 /// @param frame     the one that `sites` are in
 /// @param axis      has points and no cells; gets more points where a face needs its centroid
 void addCells(const std::vector<FacePolygon>& polygons, const SiteTriangulation& sites,
-  const SingularPoints& singularPoints, const Frame& frame, AxisComplex& axis);
+  const SingularPoints& singularPoints, const Frame& frame, AxisComplex& axis,
+  const Execution& execution = {});
 }
 
 #endif

@@ -44,6 +44,7 @@ MedialAxis axisFromSites(
   std::optional<MedialAxis> best;
   for (const double kappa : kappas)
   {
+    execution.poll();
     OpenSet set = insideCells(sites, kappa);
     // Carving keeps the topology: a set with other Betti numbers can't give the right axis.
     const bool promising = bettiNumbers(sites, set) == shape.betti;
@@ -52,7 +53,7 @@ MedialAxis axisFromSites(
       continue;
     }
     carve(sites, set, execution.between(0.7, 0.9));
-    MedialAxis axis = axisOf(dualComplex(polarBalls, points, sites, set, frame));
+    MedialAxis axis = axisOf(dualComplex(polarBalls, points, sites, set, frame, execution));
     axis.kappa = kappa;
     axis.betti = bettiNumbers(axis.cells);
     if (!best || bettiDistance(axis.betti, shape.betti) < bettiDistance(best->betti, shape.betti))
@@ -88,7 +89,8 @@ IndexLists neighbors(const PolarBalls& polarBalls, const std::vector<Index>& inn
 
 /// Each ball on the axis owns itself; an inner ball off it belongs to the ball, among those that share
 /// a sample and have an owner, that it intersects most deeply. Those far off take several rounds.
-std::vector<Index> owners(const PolarBalls& polarBalls, const std::vector<Index>& ballOfPoint)
+std::vector<Index> owners(
+  const PolarBalls& polarBalls, const std::vector<Index>& ballOfPoint, const Execution& execution)
 {
   std::vector<Index> owner(polarBalls.balls.size(), None);
   for (const Index b : ballOfPoint)
@@ -110,6 +112,7 @@ std::vector<Index> owners(const PolarBalls& polarBalls, const std::vector<Index>
   for (bool changed = true; changed;)
   {
     changed = false;
+    execution.poll();
     const std::vector<Index> before = owner;
     for (Index i = 0; i < count(todo); ++i)
     {
@@ -178,10 +181,10 @@ MedialAxis medialAxis(
   axis.sampleDiagonal = boundingBox(polarBalls.samples).diagonal().norm();
   axis.powerShapeBetti = shape.betti;
   axis.certificate = axis.betti == shape.betti;
-  axis.ballOwner = owners(polarBalls, axis.ballOfPoint);
+  axis.ballOwner = owners(polarBalls, axis.ballOfPoint, execution);
   axis.ballVolumes = polarBalls.volumes;
   axis.poleVolumes = polarBalls.poleVolumes;
-  Erosion thickness = erosion(axis);
+  Erosion thickness = erosion(axis, execution);
   axis.erosion = std::move(thickness.ofPoint);
   axis.cellErosion = std::move(thickness.ofCell);
   execution.report(1);

@@ -62,12 +62,17 @@ void removePieces(FaceComplex& faces, const FaceGeometry& geometry)
 }
 }
 
-std::vector<char> trimSheets(const FaceGeometry& geometry, std::vector<FacePolygon>& polygons)
+std::vector<char> trimSheets(
+  const FaceGeometry& geometry, std::vector<FacePolygon>& polygons, const Execution& execution)
 {
   FaceComplex faces(polygons, count(geometry.points));
+  execution.poll();
   removePieces(faces, geometry);
+  execution.poll();
   separateSheets(faces, geometry);
+  execution.poll();
   removePieces(faces, geometry); // a cut may have left new slivers
+  execution.poll();
   std::vector<FacePolygon> remaining = faces.remaining();
   std::vector<char> gone = faces.goneVertices();
   polygons = std::move(remaining);

@@ -4,6 +4,7 @@
 
 #include "Axis/FacePolygon.h"
 #include "Axis/Sheets.h"
+#include "Base/Execution.h"
 #include "Base/Types.h"
 
 #include <vector>
@@ -17,7 +18,8 @@ namespace medial
 /// to the axis (Sheets.h). A piece all of whose poles are on other pieces, too, adds nothing to the
 /// union of balls, so the solid keeps its shape without it.
 /// @return  for each vertex: is it no longer there?
-std::vector<char> trimSheets(const FaceGeometry& geometry, std::vector<FacePolygon>& polygons);
+std::vector<char> trimSheets(const FaceGeometry& geometry, std::vector<FacePolygon>& polygons,
+  const Execution& execution = {});
 }
 
 #endif

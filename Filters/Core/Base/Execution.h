@@ -38,6 +38,15 @@ struct Execution
   /// @throw Aborted  the caller wants to stop
   void poll() const { this->report(0); }
 
+  /// For turn i of a loop of short turns: polls in some of them.
+  void pollAt(Index i) const
+  {
+    if (i % 4096 == 0)
+    {
+      this->poll();
+    }
+  }
+
   /// Calls body(i) for i in 0 ... count - 1, in any order, on any threads. Polls in between.
   /// @throw Aborted  the caller wants to stop
   template <typename Body>

@@ -72,11 +72,12 @@ void insertInOrder(Triangulation& triangulation, const std::vector<std::size_t>&
     known = known == None ? number : std::min(number, known);
     hint = vertex->cell();
   }
+  execution.report(1);
 }
 
 /// The finite cells as arrays. Numbers the cells in passing.
 template <typename Triangulation>
-Tetrahedra arrays(const Triangulation& triangulation)
+Tetrahedra arrays(const Triangulation& triangulation, const Execution& execution)
 {
   Tetrahedra result;
   if (triangulation.dimension() < 3)
@@ -91,6 +92,7 @@ Tetrahedra arrays(const Triangulation& triangulation)
   for (const auto cell : triangulation.finite_cell_handles())
   {
     cell->info().value = number++;
+    execution.pollAt(number);
   }
   result.cells.reserve(number);
   result.neighbors.reserve(number);
@@ -104,6 +106,7 @@ Tetrahedra arrays(const Triangulation& triangulation)
     }
     result.cells.push_back(corners);
     result.neighbors.push_back(neighbors);
+    execution.pollAt(count(result.cells));
   }
   return result;
 }
@@ -140,7 +143,7 @@ Tetrahedra delaunay(const std::vector<Point>& points, const Execution& execution
   insertInOrder(
     triangulation, spatialOrder(kernelPoints), [&](std::size_t i) { return kernelPoints[i]; }, 0,
     execution);
-  return arrays(triangulation);
+  return arrays(triangulation, execution);
 }
 
 struct RegularTriangulation::Implementation
@@ -180,8 +183,8 @@ void RegularTriangulation::insert(const std::vector<Ball>& balls, const Executio
   this->implementation->inserted += count(balls);
 }
 
-Tetrahedra RegularTriangulation::tetrahedra() const
+Tetrahedra RegularTriangulation::tetrahedra(const Execution& execution) const
 {
-  return arrays(this->implementation->triangulation);
+  return arrays(this->implementation->triangulation, execution);
 }
 }

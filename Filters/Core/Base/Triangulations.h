@@ -38,7 +38,7 @@ public:
   void insert(const std::vector<Ball>& balls, const Execution& execution = {});
 
   /// The triangulation of all balls inserted so far.
-  Tetrahedra tetrahedra() const;
+  Tetrahedra tetrahedra(const Execution& execution = {}) const;
 
 private:
   struct Implementation;

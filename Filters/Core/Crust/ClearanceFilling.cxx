@@ -122,7 +122,8 @@ public:
       changed = this->filling.inserted > before;
       if (changed)
       {
-        findVertices(this->triangulation.tetrahedra(), this->diagram, this->execution);
+        findVertices(
+          this->triangulation.tetrahedra(this->execution), this->diagram, this->execution);
         ++this->filling.rounds;
       }
     }
@@ -160,7 +161,7 @@ private:
     std::vector<char> inner = this->diagram.inner;
     inner.resize(inner.size() + balls.size(), 0);
     const Index trialDefect =
-      bettiDistance(markedBetti(trial.tetrahedra(), inner), this->goal.topology);
+      bettiDistance(markedBetti(trial.tetrahedra(this->execution), inner), this->goal.topology);
     if (trialDefect <= this->defect)
     {
       this->defect = trialDefect;

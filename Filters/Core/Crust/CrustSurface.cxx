@@ -35,7 +35,7 @@ std::vector<Index> cycleAround(const Tetrahedra& mesh, Index inner, Index outer,
 }
 
 /// One face for each dual edge between an inner and an outer ball.
-CellFaces cellFaces(const PowerDiagram& diagram)
+CellFaces cellFaces(const PowerDiagram& diagram, const Execution& execution)
 {
   CellFaces result;
   const Tetrahedra& mesh = diagram.dual;
@@ -43,6 +43,7 @@ CellFaces cellFaces(const PowerDiagram& diagram)
   std::vector<char> done(edges.edges.size(), 0);
   for (Index c = 0; c < count(mesh.cells); ++c)
   {
+    execution.pollAt(c);
     for (const Index e : edges.ofCell[c])
     {
       auto [a, b] = edges.edges[e];
@@ -77,12 +78,15 @@ CellFaces cellFaces(const PowerDiagram& diagram)
 class Contraction
 {
 public:
-  Contraction(const PowerDiagram& powerDiagram, const CellFaces& cellFaces)
+  Contraction(
+    const PowerDiagram& powerDiagram, const CellFaces& cellFaces, const Execution& ofContraction)
     : diagram(powerDiagram)
     , faces(cellFaces)
+    , execution(ofContraction)
     , sets(count(powerDiagram.dual.cells))
   {
     this->unite();
+    execution.poll();
     this->splitUnlessDiscs();
     while (this->splitWherePinched())
     {
@@ -185,6 +189,7 @@ private:
     std::unordered_map<std::uint64_t, int> uses;
     for (Index face = 0; face < count(this->faces.cycles); ++face)
     {
+      this->execution.pollAt(face);
       std::vector<Index> loop = this->corners(face);
       for (std::size_t k = 0; k < loop.size() && loop.size() > 2; ++k)
       {
@@ -210,6 +215,7 @@ private:
 
   const PowerDiagram& diagram;
   const CellFaces& faces;
+  const Execution& execution;
   DisjointSets sets;
   std::vector<char> split; ///< by set
 };
@@ -242,14 +248,16 @@ std::vector<Index> placeOfVertex(
 
 /// Contracts the faces, numbers their vertices in the order in which they are met, and puts them into
 /// the surface.
-Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, CrustSurface& surface)
+Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, CrustSurface& surface,
+  const Execution& execution)
 {
-  Contraction contraction(diagram, faces);
+  Contraction contraction(diagram, faces, execution);
   const std::vector<Index> place = placeOfVertex(diagram, faces, contraction);
   Polygons result;
   std::vector<Index> number(diagram.dual.cells.size(), None);
   for (Index face = 0; face < count(faces.cycles); ++face)
   {
+    execution.pollAt(face);
     std::vector<Index> corners = contraction.corners(face);
     if (corners.size() < 3)
     {
@@ -272,10 +280,10 @@ Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, CrustSurf
 }
 }
 
-CrustSurface crustSurface(const PowerDiagram& diagram)
+CrustSurface crustSurface(const PowerDiagram& diagram, const Execution& execution)
 {
   CrustSurface surface;
-  const Polygons faces = polygons(diagram, cellFaces(diagram), surface);
+  const Polygons faces = polygons(diagram, cellFaces(diagram, execution), surface, execution);
   // All sides first: no diagonal may be the side of another polygon.
   EdgeSet edges;
   for (const std::vector<Index>& corners : faces.corners)
@@ -285,8 +293,9 @@ CrustSurface crustSurface(const PowerDiagram& diagram)
       edges.insert(corners[k], corners[(k + 1) % corners.size()]);
     }
   }
-  for (std::size_t face = 0; face < faces.corners.size(); ++face)
+  for (Index face = 0; face < count(faces.corners); ++face)
   {
+    execution.pollAt(face);
     for (const Triangle& t : triangulate(faces.corners[face], surface.points, edges))
     {
       surface.triangles.push_back(t);

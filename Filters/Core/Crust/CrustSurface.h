@@ -2,6 +2,7 @@
 #ifndef medial_CrustSurface_h
 #define medial_CrustSurface_h
 
+#include "Base/Execution.h"
 #include "Base/Types.h"
 #include "Crust/PowerDiagram.h"
 
@@ -30,7 +31,7 @@ struct CrustSurface
 /// vertex form one fan. Contraction and triangulation keep that. Power vertices that are the same
 /// sample, or the same up to rounding, become one point if the surface is a manifold after that;
 /// otherwise they stay several points at one place.
-CrustSurface crustSurface(const PowerDiagram& diagram);
+CrustSurface crustSurface(const PowerDiagram& diagram, const Execution& execution = {});
 }
 
 #endif

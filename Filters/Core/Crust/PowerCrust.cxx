@@ -133,7 +133,8 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   {
     triangulation.insert(diagram.balls, execution.between(0, 0.6));
   }
-  Tetrahedra mesh = chosen.all ? cellsOfAll(polarBalls, chosen.ids) : triangulation.tetrahedra();
+  Tetrahedra mesh =
+    chosen.all ? cellsOfAll(polarBalls, chosen.ids) : triangulation.tetrahedra(execution);
   const bool fills = !chosen.all && options.rule == CrustRule::Clearance;
   PuttingBack back;
   if (fills)
@@ -143,23 +144,28 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
     {
       back = putBack(*options.topology, back.betti, polarBalls, frame, chosen, triangulation,
         execution.between(0.6, 0.65));
-      mesh = triangulation.tetrahedra();
+      mesh = triangulation.tetrahedra(execution);
     }
   }
   findVertices(std::move(mesh), diagram, execution);
+  execution.poll();
   const BallTree innerBalls = treeOfInnerBalls(diagram);
+  execution.poll();
   Filling filling;
   if (fills)
   {
     const FillingGoal goal{ options.clearance * spacing, options.maximumRounds,
       options.topology ? *options.topology : topologyOf(polarBalls, keep) };
-    filling = fillClearance(goal, back.betti, UntouchedCells(polarBalls.cells, chosen.ids),
-      innerBalls, triangulation, diagram, execution.between(0.65, 0.8));
+    execution.poll();
+    const UntouchedCells untouched(polarBalls.cells, chosen.ids);
+    execution.poll();
+    filling = fillClearance(goal, back.betti, untouched, innerBalls, triangulation, diagram,
+      execution.between(0.65, 0.8));
   }
   execution.report(0.8);
   Crust crust;
-  static_cast<CrustSurface&>(crust) = crustSurface(diagram);
-  static_cast<SolidMeasures&>(crust) = solidMeasures(crust.points, crust.triangles);
+  static_cast<CrustSurface&>(crust) = crustSurface(diagram, execution);
+  static_cast<SolidMeasures&>(crust) = solidMeasures(crust.points, crust.triangles, execution);
   crust.warnings = topologyWarnings(crust, options.topology, back.place);
   crust.putBackBalls = back.balls;
   crust.insertedBalls = filling.inserted;

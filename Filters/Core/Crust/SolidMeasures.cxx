@@ -20,13 +20,14 @@ std::uint64_t halfEdge(Index from, Index to)
 
 /// Fills closed and manifold. Corner 3 * triangle + k is where a triangle has a point. Corners at one
 /// point are joined across the edges there; a manifold has one group of corners at each point.
-void checkSurface(
-  const std::vector<Triangle>& triangles, std::size_t pointCount, SolidMeasures& result)
+void checkSurface(const std::vector<Triangle>& triangles, std::size_t pointCount,
+  SolidMeasures& result, const Execution& execution)
 {
   std::unordered_map<std::uint64_t, Index> triangleAt;
   result.closed = true;
   for (Index t = 0; t < count(triangles); ++t)
   {
+    execution.pollAt(t);
     for (int k = 0; k < 3; ++k)
     {
       const Index a = triangles[t][k], b = triangles[t][(k + 1) % 3];
@@ -36,6 +37,7 @@ void checkSurface(
   DisjointSets fans(3 * count(triangles));
   for (Index t = 0; t < count(triangles); ++t)
   {
+    execution.pollAt(t);
     for (int k = 0; k < 3; ++k)
     {
       const Index a = triangles[t][k], b = triangles[t][(k + 1) % 3];
@@ -103,11 +105,11 @@ void measureSolid(
 }
 }
 
-SolidMeasures solidMeasures(
-  const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+SolidMeasures solidMeasures(const std::vector<Point>& points,
+  const std::vector<Triangle>& triangles, const Execution& execution)
 {
   SolidMeasures result{};
-  checkSurface(triangles, points.size(), result);
+  checkSurface(triangles, points.size(), result, execution);
   measureSolid(points, triangles, result);
   return result;
 }

@@ -2,6 +2,7 @@
 #ifndef medial_SolidMeasures_h
 #define medial_SolidMeasures_h
 
+#include "Base/Execution.h"
 #include "Base/Types.h"
 
 #include <vector>
@@ -23,8 +24,8 @@ struct SolidMeasures
 /// Each connected piece of a closed surface is an outer boundary if its volume is positive, else the
 /// boundary of a void. A piece of genus g adds g tunnels; 2 - 2 g is its vertices - edges + triangles.
 /// @param triangles  counter-clockwise seen from outside
-SolidMeasures solidMeasures(
-  const std::vector<Point>& points, const std::vector<Triangle>& triangles);
+SolidMeasures solidMeasures(const std::vector<Point>& points,
+  const std::vector<Triangle>& triangles, const Execution& execution = {});
 }
 
 #endif
