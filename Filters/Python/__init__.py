@@ -6,4 +6,4 @@ The classes are VTK filters; `simplify` runs all of them, from numpy to numpy if
 
 from .vtkFiltersMedial import *
 from .simplification import (
-    Doubt, MedialAxisWarning, Simplified, Verdict, arrays, doubts_of, simplify, verdict_of)
+    Doubt, MedialAxisWarning, Simplified, Stopped, Verdict, arrays, doubts_of, simplify, verdict_of)

@@ -3,13 +3,18 @@
 
 from __future__ import annotations
 
+import time
 import warnings
-from typing import Any, Iterable, NamedTuple, Sequence
+from typing import Any, Callable, Iterable, NamedTuple, Sequence
 
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPointSet, vtkPolyData, vtkTable
 
-from .vtkFiltersMedial import vtkSimplifyShape
+from .vtkFiltersMedial import vtkBackgroundUpdate, vtkSimplifyShape
+
+
+class Stopped(Exception):
+    """Raised by `simplify` where its `progress` has returned False."""
 
 
 class MedialAxisWarning(UserWarning):
@@ -52,20 +57,25 @@ class Simplified(NamedTuple):
         return doubts_of(self.surface)
 
 
-def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None) -> Simplified:
+def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
+             progress: Callable[[float], Any] | None = None) -> Simplified:
     """Simplifies the solid that is given by points of its boundary.
+
+    Other threads of Python go on meanwhile. Ctrl-C stops it within a second.
 
     points    an array of shape (n, 3), or a vtkPointSet
     schedule  in words, like "t5 t5 v1%", see vtkMedialPrune; or iterations (measure, threshold) or
               (measure, threshold, passes), where measure is a name like "RelativeVolume"; None: the
               default of vtkMedialPrune
+    progress  is called from time to time with how much is done, 0 ... 1, on the thread that called
+              simplify; where it returns False, the work stops and Stopped is raised. What it raises
+              stops the work, too, and is raised again
     Raises ValueError where the points or the schedule can't be used; the message says why.
     Issues a MedialAxisWarning for each doubt, and where the surface is not certified.
     """
     filter = vtkSimplifyShape()
-    for sender in (filter, filter.GetMedialPrune(), filter.GetExecutive()):
-        sender.AddObserver("ErrorEvent", lambda *_: None)  # else VTK prints what is raised below
-    filter.AddObserver("WarningEvent", lambda *_: None)  # and what is issued
+    prune = filter.GetMedialPrune()
+    quiet = prune.AddObserver("ErrorEvent", lambda *_: None)  # else VTK prints what is raised below
     filter.SetInputData(points if isinstance(points, vtkPointSet) else _cloud(points))
     if isinstance(schedule, str):
         filter.SetSchedule(schedule)
@@ -73,8 +83,9 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None) -> S
         filter.ClearIterations()
         for iteration in schedule:
             filter.AddIterationByName(*iteration)
+    prune.RemoveObserver(quiet)  # another thread must not call into Python
     if not filter.GetErrorMessage():
-        filter.Update()
+        _update(filter, progress)
     if filter.GetErrorMessage():
         raise ValueError(filter.GetErrorMessage())
     result = Simplified(*(filter.GetOutputDataObject(port) for port in range(4)))
@@ -134,6 +145,27 @@ def _issues(result: Simplified) -> Iterable[str]:
         yield doubt.text
     if not result.verdict.certified:
         yield "the surface is not certified: " + "; ".join(result.verdict.reasons)
+
+
+def _update(filter: vtkSimplifyShape, progress: Callable[[float], Any] | None) -> None:
+    update = vtkBackgroundUpdate()
+    update.Start(filter)
+    try:
+        shown, pause = -1.0, 0.001
+        while update.IsRunning():
+            time.sleep(pause)
+            pause = min(2 * pause, 0.02)
+            done = update.GetProgress()
+            if progress and done > shown:
+                shown = done
+                if progress(done) is False:
+                    raise Stopped("simplify was stopped at %.0f %%" % (100 * done))
+        if progress and shown < update.GetProgress():
+            progress(update.GetProgress())
+    finally:
+        update.Stop()
+        while update.IsRunning():
+            time.sleep(0.001)
 
 
 def _cloud(points: Any) -> vtkPolyData:
