@@ -5,9 +5,12 @@
 #include "Base/Errors.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkNew.h"
 #include "vtkVersion.h"
 
 /// How a filter is stopped. VTK has one flag for it, AbortExecute, which its pipeline takes back when a
@@ -43,6 +46,19 @@ inline void noteAbort(vtkAlgorithm* filter, vtkTypeBool stop)
   filter->GetInformation()->Set(abortWanted(), stop);
 }
 
+/// Whatever stop was asked for until the run ends is followed by then. VTK since 9.2 reports progress once
+/// more after a stopped run, and who asks in such a report does not mean the next run.
+inline void forgetAtEnd(vtkAlgorithm* filter)
+{
+  vtkNew<vtkCallbackCommand> forget;
+  forget->SetClientData(forget);
+  forget->SetCallback([](vtkObject* sender, unsigned long, void* self, void*) {
+    static_cast<vtkAlgorithm*>(sender)->GetInformation()->Set(abortWanted(), 0);
+    sender->RemoveObserver(static_cast<vtkCommand*>(self));
+  });
+  filter->AddObserver(vtkCommand::EndEvent, forget);
+}
+
 /// Before VTK takes the flag back, which it does after this request.
 inline void keepAbort(vtkAlgorithm* filter, vtkInformation* request)
 {
@@ -52,6 +68,7 @@ inline void keepAbort(vtkAlgorithm* filter, vtkInformation* request)
     information->Set(abortAtStart(), information->Get(abortWanted()));
     information->Set(wasStopped(), 0);
     filter->SetAbortExecute(0); // since VTK 9.2 nobody else does it
+    forgetAtEnd(filter);
   }
 }
 
@@ -106,14 +123,10 @@ inline void requireNotStopped(vtkAlgorithm* filter)
   }
 }
 
-/// At the end of the work. The stop that ended it is followed, and not wanted any more.
-inline void noteEnd(vtkAlgorithm* filter, bool stopped)
+/// At the end of work that was stopped.
+inline void noteStopped(vtkAlgorithm* filter)
 {
-  filter->GetInformation()->Set(abortWanted(), 0);
-  if (stopped)
-  {
-    filter->GetInformation()->Set(wasStopped(), 1);
-  }
+  filter->GetInformation()->Set(wasStopped(), 1);
 }
 }
 

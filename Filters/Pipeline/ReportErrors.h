@@ -201,19 +201,17 @@ int reportErrorsOfAllRanks(vtkAlgorithm* filter, vtkInformationVector* outputs, 
   {
     requireNotStopped(filter);
     body(execution(filter));
-    noteEnd(filter, false);
     return 1;
   }
   catch (const Aborted&)
   {
     emptyOutputs(outputs);
-    noteEnd(filter, true);
+    noteStopped(filter);
     return 1;
   }
   catch (const std::exception& error)
   {
     emptyOutputs(outputs);
-    noteEnd(filter, false);
     setErrorCode(filter, vtkErrorCode::UserError);
     setErrorMessage(filter, error.what());
     vtkErrorWithObjectMacro(filter, << error.what());
