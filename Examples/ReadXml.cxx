@@ -12,11 +12,13 @@
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLDataElement.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 namespace
 {
@@ -54,10 +56,45 @@ vtkSmartPointer<vtkPolyData> pointsOf(const std::string& bytes)
   return result;
 }
 
+/// A reader that also notices what VTK's leaves out without a word: points beyond the number that the file
+/// announces.
+template <typename Reader>
+class WholePoints : public Reader
+{
+public:
+  static WholePoints* New()
+  {
+    auto* result = new WholePoints;
+    result->InitializeObjectBase();
+    return result;
+  }
+
+  /// Set if there are more points: the announced number.
+  std::optional<vtkIdType> exceeded;
+
+protected:
+  int ReadPieceData() override
+  {
+    const int isRead = Reader::ReadPieceData();
+    const vtkIdType count = this->NumberOfPoints[this->Piece];
+    vtkXMLDataElement* points = this->PointElements[this->Piece];
+    int type = VTK_VOID;
+    if (isRead && points && points->GetNumberOfNestedElements() == 1 &&
+      points->GetNestedElement(0)->GetWordTypeAttribute("type", type))
+    {
+      const auto next = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+      next->SetNumberOfValues(1);
+      const bool isMore = this->ReadArrayValues(points->GetNestedElement(0), 0, next, 3 * count, 1);
+      this->exceeded = isMore ? count : this->exceeded;
+    }
+    return isRead;
+  }
+};
+
 template <typename Reader>
 std::string read(const std::string& file)
 {
-  vtkNew<Reader> reader;
+  vtkNew<WholePoints<Reader>> reader;
   reader->SetFileName(file.c_str());
   reader->UpdateInformation();
   reader->GetPointDataArraySelection()->DisableAllArrays(); // only the points are wanted
@@ -70,6 +107,11 @@ std::string read(const std::string& file)
   if (reader->GetErrorCode() != vtkErrorCode::NoError)
   {
     throw InputError(vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
+  }
+  if (reader->exceeded)
+  {
+    throw InputError("there are more points than NumberOfPoints, " +
+      std::to_string(*reader->exceeded) + "; correct it");
   }
   vtkPoints* points = reader->GetOutput() ? reader->GetOutput()->GetPoints() : nullptr;
   return points ? bytesOf(points) : "d";

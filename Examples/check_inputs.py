@@ -52,7 +52,7 @@ def ascii_stl(triangles):
     return text + "endsolid\n"
 
 
-def xml(kind, points, numbers=None, cells="0", components="3"):
+def xml(kind, points, numbers=None, cells="0", components="3", number="Float64"):
     """A .vtp (PolyData) or .vtu (UnstructuredGrid) file as text."""
     def array(type_, name, text="", more=""):
         return '<DataArray type="%s" Name="%s" format="ascii"%s>%s</DataArray>' % (
@@ -62,7 +62,7 @@ def xml(kind, points, numbers=None, cells="0", components="3"):
             'NumberOfCells="{2}" NumberOfPolys="{2}"><Points>{3}</Points><{4}>{5}</{4}></Piece></{0}>'
             '</VTKFile>').format(
                 kind, len(points) if numbers is None else numbers, cells,
-                array("Float64", "Points", rows(points), ' NumberOfComponents="%s"' % components),
+                array(number, "Points", rows(points), ' NumberOfComponents="%s"' % components),
                 "Polys" if kind == "PolyData" else "Cells", array("Int64", "connectivity") +
                 array("Int64", "offsets") + array("UInt8", "types"))
 
@@ -316,6 +316,12 @@ class Inputs(ProgramTest):
                 ("a word", text.replace("vertex ", "vertex a", 1), "line 4")):
             with self.subTest(name):
                 self.refuse("p.stl", content, *fragments)
+
+    def test_points_beyond_the_number_in_xml_are_refused(self):
+        """VTK's readers leave them out without a word."""
+        for kind, name in (("PolyData", "p.vtp"), ("UnstructuredGrid", "p.vtu")):
+            for number in ("Float32", "Float64"):
+                self.refuse(name, xml(kind, POINTS, "299", number=number), "NumberOfPoints", "299")
 
     def test_damage_that_upsets_the_readers_of_vtk_is_refused(self):
         """On these VTK 9.1's readers crash, run away, or ask for terabytes."""
