@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 namespace
 {
@@ -218,7 +217,13 @@ bool parseWhole(std::string_view word, long long& number)
 std::string contentOf(const std::string& file)
 {
   std::ifstream stream(file, std::ios::binary);
-  std::string content{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
+  std::string content;
+  std::vector<char> piece(std::size_t(1) << 20);
+  while (
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0)
+  {
+    content.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+  }
   if (!stream.is_open() || stream.bad())
   {
     throw InputError(file + ": can't be read: " + std::strerror(errno));

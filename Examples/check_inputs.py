@@ -3,10 +3,12 @@
 
 import json
 import math
+import os
 import resource
 import struct
+import subprocess
 
-from program_test import ProgramTest, ellipsoid
+from program_test import PROGRAM, ProgramTest, ellipsoid
 
 POINTS = ellipsoid(300)
 XYZ = "property double x\nproperty double y\nproperty double z\n"
@@ -113,6 +115,18 @@ class Inputs(ProgramTest):
             self.refuse(name, "nonsense\n")
             self.refuse(name, "")
             self.refuse(name, bytes(range(256)) * 4)
+
+    def test_files_beyond_the_memory_give_2(self):
+        with open(self.path("large.xyz"), "wb") as file:
+            file.truncate(1 << 33)  # takes no space on the disk
+        done = subprocess.run(
+            [PROGRAM, self.path("large.xyz"), "--output", self.path("none")], capture_output=True,
+            text=True, check=False,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30)))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("not enough memory", done.stderr)
+        self.assertNotIn("bad_alloc", done.stderr)
+        self.assertFalse(os.path.exists(self.path("none")))
 
     def test_unusable_points_give_2(self):
         self.assert_fails(2, ["4"], self.write_xyz([(0, 0, 0), (1, 0, 0), (0, 1, 0)]))
