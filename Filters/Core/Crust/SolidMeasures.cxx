@@ -74,7 +74,9 @@ void measureSolid(
   const Index n = count(points);
   DisjointSets pieces(n);
   std::vector<Index> euler(n, 0); // of each piece, doubled
-  std::vector<double> volume(n, 0);
+  // Volumes seen from the origin, and from a point of the piece: the sign of a tiny one that is far from
+  // the origin would be up to rounding.
+  std::vector<double> volume(n, 0), ownVolume(n, 0);
   std::vector<char> used(n, 0);
   for (const Triangle& t : triangles)
   {
@@ -85,8 +87,11 @@ void measureSolid(
   for (const Triangle& t : triangles)
   {
     const Point &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
-    volume[pieces.find(t[0])] += a.cross(b).dot(c) / 6;
-    euler[pieces.find(t[0])] -= 1; // one triangle less three halves of an edge, doubled
+    const Index piece = pieces.find(t[0]);
+    const Point& o = points[piece];
+    volume[piece] += a.cross(b).dot(c) / 6;
+    ownVolume[piece] += (a - o).cross(b - o).dot(c - o) / 6;
+    euler[piece] -= 1; // one triangle less three halves of an edge, doubled
   }
   for (Index p = 0; p < n; ++p)
   {
@@ -98,7 +103,7 @@ void measureSolid(
   {
     if (used[p] && pieces.find(p) == p)
     {
-      ++result.betti[volume[p] > 0 ? 0 : 2];
+      ++result.betti[ownVolume[p] > 0 ? 0 : 2];
       result.betti[1] += (4 - euler[p]) / 4;
     }
   }
