@@ -48,7 +48,8 @@ int vtkPolarBalls::RequestData(
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::PolarBallsAndSamples made =
-        medial::polarBallsAndSamples(medial::readSamples(input), execution.between(0, 0.9));
+        medial::polarBallsAndSamples(medial::readSamples(input),
+          { this->MergeTolerance, medial::sampleResolution(input) }, execution.between(0, 0.9));
       const medial::PowerShape shape = medial::powerShape(made.balls, execution.between(0.9, 1));
       const medial::Warnings open = medial::openSurfaceWarnings(
         medial::readPolygons(input), made.samples.duplicateOf, made.balls.samples);
@@ -61,4 +62,5 @@ int vtkPolarBalls::RequestData(
 void vtkPolarBalls::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "MergeTolerance: " << this->MergeTolerance << '\n';
 }

@@ -8,7 +8,8 @@
  *
  * Input: any vtkPointSet. Its points are the samples. Its cells make no difference to the result, but
  * where they are the polygons of an open surface, that is warned of. Lengths are in the
- * unit of the samples, volumes in its cube. Repeated points count once.
+ * unit of the samples, volumes in its cube. Repeated points count once, also where they differ by
+ * rounding only, see SetMergeTolerance().
  *
  * Output 0: vtkUnstructuredGrid, the balls, as the next filters take them. A point is the centre of a
  * ball, a cell a tetrahedron of the regular triangulation of the balls with their squared radii as
@@ -33,6 +34,7 @@
  * Field data, single values
  *  - `NumberOfSamples`, `NumberOfDuplicates`, `NumberOfInnerBalls`, `NumberOfOuterBalls`,
  *    `NumberOfHiddenBalls` (vtkIdType).
+ *  - `MergeTolerance` (double, >= 0): the distance within which samples counted as one.
  *  - `SampleSpacing` (double, > 0): mean distance of a distinct sample to the nearest other one.
  *  - `BettiPowerShape` (vtkIdType, 3 components): pieces, tunnels and voids of the power shape,
  *    which are those of the solid.
@@ -45,7 +47,8 @@
  *    its two poles. 1 is best; 0 and less: an edge of the solid, or too few samples.
  *  - `InnerBall`, `OuterBall` (vtkIdType): its ball inside and outside, a point of output 0, or -1. The
  *    same as `SampleInnerBall` and `SampleOuterBall`.
- *  - `DuplicateOf` (vtkIdType): the first sample at the very same place, or -1.
+ *  - `DuplicateOf` (vtkIdType): the sample that it counts as, at the same place or within the merge
+ *    tolerance of it, or -1.
  *
  * Warnings: what is doubtful of the samples or of the result is sent as VTK's warning events, each by the
  * filter that finds it. It is also in the field data of both outputs and of all outputs made from them:
@@ -85,6 +88,21 @@ public:
   vtkTypeMacro(vtkPolarBalls, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Samples within this distance of each other count as one, if no other sample is within ten times
+   * the distance: copies of a place that differ by rounding. Samples that are denser than that all
+   * count. In the unit of the samples; 0: only samples at the very same place count as one.
+   *
+   * Negative (default -1): two units in the last place of the input's coordinates, but at least 1e-7 of
+   * the diagonal of their bounding box. The unit is that of floats or doubles at the largest
+   * coordinate; for coordinates that were rounded to more, as in a text, it is the one value of the
+   * input's field array `SampleResolution` (double, >= 0).
+   */
+  vtkSetMacro(MergeTolerance, double);
+  vtkGetMacro(MergeTolerance, double);
+  ///@}
+
   /**
    * Stops the run under way, or the next one where there is none. The outputs of a stopped run are empty;
    * the update after it makes them.
@@ -107,6 +125,8 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
+  double MergeTolerance = -1;
+
   vtkPolarBalls(const vtkPolarBalls&) = delete;
   void operator=(const vtkPolarBalls&) = delete;
 };

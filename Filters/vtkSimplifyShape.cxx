@@ -80,6 +80,16 @@ bool vtkSimplifyShape::GetAutomatic()
   return this->Prune->GetAutomatic();
 }
 
+void vtkSimplifyShape::SetMergeTolerance(double tolerance)
+{
+  this->Balls->SetMergeTolerance(tolerance);
+}
+
+double vtkSimplifyShape::GetMergeTolerance()
+{
+  return this->Balls->GetMergeTolerance();
+}
+
 void vtkSimplifyShape::SetSplitAtNecks(bool split)
 {
   this->Prune->SetSplitAtNecks(split);

@@ -78,6 +78,16 @@ public:
 
   ///@{
   /**
+   * Samples within this distance of each other count as one where they stand apart from all others; in
+   * the unit of the samples. Negative: what rounding of the input explains. See vtkPolarBalls. Default
+   * -1.
+   */
+  void SetMergeTolerance(double tolerance);
+  double GetMergeTolerance();
+  ///@}
+
+  ///@{
+  /**
    * Choose the iterations from the data, instead of the schedule: see vtkMedialPrune. Default off.
    */
   void SetAutomatic(bool automatic);

@@ -11,6 +11,9 @@ namespace names
 // vtkShareOutObjects: field data, a single value
 constexpr const char* ObjectId = "ObjectId";
 
+// Input of vtkPolarBalls: field data, a single value
+constexpr const char* SampleResolution = "SampleResolution";
+
 // every filter from vtkPolarBalls to vtkPowerCrust: field data, one entry for each warning; none of these
 // arrays where there is no warning
 constexpr const char* WarningCode = "WarningCode";
@@ -41,6 +44,7 @@ constexpr const char* NumberOfInnerBalls = "NumberOfInnerBalls";
 constexpr const char* NumberOfOuterBalls = "NumberOfOuterBalls";
 constexpr const char* NumberOfHiddenBalls = "NumberOfHiddenBalls";
 constexpr const char* SampleSpacing = "SampleSpacing";
+constexpr const char* MergeTolerance = "MergeTolerance";
 constexpr const char* BettiPowerShape = "BettiPowerShape";
 // ... points of the samples; InnerBall, OuterBall too
 constexpr const char* SamplingQuality = "SamplingQuality";

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -82,6 +83,7 @@ void addCounts(vtkFieldData* field, const PolarBallsAndSamples& made)
   addOne<vtkIdTypeArray>(field, names::NumberOfOuterBalls, ballsOn(Side::Outer));
   addOne<vtkIdTypeArray>(field, names::NumberOfHiddenBalls, ballsOn(Side::Hidden));
   addOne<vtkDoubleArray>(field, names::SampleSpacing, balls.spacing);
+  addOne<vtkDoubleArray>(field, names::MergeTolerance, made.samples.mergeTolerance);
 }
 
 void writeBalls(const PolarBalls& balls, vtkUnstructuredGrid* output)
@@ -170,6 +172,34 @@ IndexLists readPolygons(vtkPointSet* input)
       input->GetCellPoints(cell, corners);
       addPolygons(type, { corners->begin(), corners->end() }, input->GetNumberOfPoints(), result);
     }
+  }
+  return result;
+}
+
+double sampleResolution(vtkPointSet* input)
+{
+  double result = 0;
+  if (input->GetPoints() && input->GetPoints()->GetDataType() == VTK_FLOAT)
+  {
+    double bounds[6];
+    input->GetPoints()->GetBounds(bounds);
+    float largest = 0;
+    for (const double bound : bounds)
+    {
+      largest = std::max(largest, static_cast<float>(std::abs(bound)));
+    }
+    const float next = std::nextafter(largest, std::numeric_limits<float>::infinity());
+    result = std::isfinite(next) ? static_cast<double>(next) - static_cast<double>(largest) : 0;
+  }
+  if (vtkDataArray* array = input->GetFieldData()->GetArray(names::SampleResolution))
+  {
+    const double value = array->GetNumberOfValues() == 1 ? array->GetComponent(0, 0) : -1;
+    if (!(value >= 0) || !std::isfinite(value))
+    {
+      throw InvalidInput("the field array '", names::SampleResolution,
+        "' must hold one length: the unit to which coordinates were rounded, or 0");
+    }
+    result = std::max(result, value);
   }
   return result;
 }

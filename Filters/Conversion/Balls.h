@@ -21,6 +21,11 @@ std::vector<Point> readSamples(vtkPointSet* input);
 /// and cells with a point that isn't there, are left out.
 IndexLists readPolygons(vtkPointSet* input);
 
+/// The unit to which the coordinates of points were rounded: of floats that of the largest coordinate, or
+/// the field array `SampleResolution` where it is more; 0 where nothing is known.
+/// @throw InvalidInput  the array does not hold one length
+double sampleResolution(vtkPointSet* input);
+
 /// Writes the balls and the samples, as vtkPolarBalls.h describes them.
 /// @param powerShape  Betti numbers of the power shape of the balls
 /// @param input       its field data is passed on to both outputs, but not the verdict on an earlier

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Balls/DistinctSamples.h"
 
+#include "Balls/NearDuplicates.h"
 #include "Base/Errors.h"
 
 #include <Eigen/Geometry>
@@ -9,6 +10,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <sstream>
+#include <string>
+#include <utility>
 
 namespace medial
 {
@@ -18,9 +22,9 @@ bool lexicographicallyLess(const Point& a, const Point& b)
 {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
-}
 
-DistinctSamples distinctSamples(const std::vector<Point>& samples)
+/// The samples without those at the very same place.
+DistinctSamples distinctPlaces(const std::vector<Point>& samples)
 {
   DistinctSamples result;
   result.frame = frameOf(samples);
@@ -46,13 +50,85 @@ DistinctSamples distinctSamples(const std::vector<Point>& samples)
   return result;
 }
 
+/// Takes points out that are copies of others.
+void mergeNearDuplicates(DistinctSamples& distinct)
+{
+  const std::vector<Index> original =
+    nearDuplicates(distinct.points, distinct.tolerance * distinct.frame.scale);
+  std::vector<Index> standsFor(distinct.duplicateOf.size(), None); // for samples that are copies
+  std::vector<Point> points;
+  std::vector<Index> ids;
+  for (Index p = 0; p < count(original); ++p)
+  {
+    if (original[p] == None)
+    {
+      points.push_back(distinct.points[p]);
+      ids.push_back(distinct.ids[p]);
+    }
+    else
+    {
+      standsFor[distinct.ids[p]] = distinct.ids[original[p]];
+    }
+  }
+  for (Index i = 0; i < count(standsFor); ++i)
+  {
+    Index& duplicateOf = distinct.duplicateOf[i];
+    const Index place = duplicateOf == None ? i : duplicateOf;
+    if (standsFor[place] != None)
+    {
+      duplicateOf = standsFor[place];
+      ++distinct.nearDuplicates;
+    }
+  }
+  distinct.points = std::move(points);
+  distinct.ids = std::move(ids);
+}
+}
+
+DistinctSamples distinctSamples(const std::vector<Point>& samples, const MergeOptions& options)
+{
+  if (!std::isfinite(options.tolerance) || !std::isfinite(options.unit))
+  {
+    throw InvalidInput("the merge tolerance and the resolution of samples are lengths, not ",
+      options.tolerance, " and ", options.unit);
+  }
+  DistinctSamples result = distinctPlaces(samples);
+  result.tolerance =
+    options.tolerance < 0 ? defaultTolerance(samples, options.unit) : options.tolerance;
+  mergeNearDuplicates(result);
+  return result;
+}
+
+Warnings mergeWarnings(const std::vector<Point>& samples, const DistinctSamples& distinct)
+{
+  if (100 * distinct.nearDuplicates <= count(samples))
+  {
+    return {};
+  }
+  Index first = 0;
+  while (
+    distinct.duplicateOf[first] == None || samples[distinct.duplicateOf[first]] == samples[first])
+  {
+    ++first;
+  }
+  std::ostringstream text;
+  text << distinct.nearDuplicates << " of " << samples.size() << " samples lie within "
+       << distinct.tolerance
+       << " of another one and count as that one. If they are different places, set the merge "
+          "tolerance to 0.";
+  return { { "merged_duplicates", text.str(), distinct.nearDuplicates, samples[first], false } };
+}
+
 void requireVolume(const DistinctSamples& distinct)
 {
   const std::vector<Point>& points = distinct.points;
   if (points.size() < 4)
   {
-    throw InvalidInput("there are only ", points.size(),
-      " distinct samples; at least 4 points of a closed surface are needed");
+    const std::string merged = distinct.nearDuplicates == 0 ? std::string()
+                                                            : ", because " +
+        std::to_string(distinct.nearDuplicates) + " lie within the merge tolerance of others";
+    throw InvalidInput("there are only ", points.size(), " distinct samples", merged,
+      "; at least 4 points of a closed surface are needed");
   }
   const auto farthest = [&points](const auto& distance) {
     return *std::max_element(points.begin(), points.end(),

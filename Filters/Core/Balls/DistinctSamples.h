@@ -4,24 +4,44 @@
 
 #include "Base/Frame.h"
 #include "Base/Types.h"
+#include "Base/Warnings.h"
 
 #include <array>
 #include <vector>
 
 namespace medial
 {
+/// Which samples count as one.
+struct MergeOptions
+{
+  /// Samples within this distance of each other that stand apart from all others are one, see
+  /// NearDuplicates.h; in the unit of the samples. 0: only those at the very same place. Negative:
+  /// defaultTolerance.
+  double tolerance = -1;
+  double unit = 0; ///< to which the samples' coordinates were rounded; 0: not known
+};
+
 /// The samples without repeats, in the frame that all stages compute in. They are in lexicographic
 /// order, so that results do not depend on the order of the input.
 struct DistinctSamples
 {
   Frame frame;
   std::vector<Point> points;      ///< in the frame
-  std::vector<Index> ids;         ///< for each point the lowest sample of the input that it is
-  std::vector<Index> duplicateOf; ///< for each sample of the input: the lowest one at the very same
-                                  ///< place, or None where it is this one
+  std::vector<Index> ids;         ///< for each point the lowest sample of the input at its place
+  std::vector<Index> duplicateOf; ///< for each sample of the input: the one in `ids` that it counts
+                                  ///< as, or None where it is this one
+  Index nearDuplicates = 0; ///< how many samples are not at the place of the one they count as
+  double tolerance = 0;     ///< that was used, in the unit of the samples
 };
 
-DistinctSamples distinctSamples(const std::vector<Point>& samples);
+/// @throw InvalidInput  no samples, a coordinate that is not finite, all in one place; a tolerance or a
+///                      unit that is not a finite number
+DistinctSamples distinctSamples(
+  const std::vector<Point>& samples, const MergeOptions& options = {});
+
+/// The warning "merged_duplicates" where more than one in a hundred samples counts as another one that is
+/// near. Samples at the very same place are no reason: triangles without shared corners have them.
+Warnings mergeWarnings(const std::vector<Point>& samples, const DistinctSamples& distinct);
 
 /// @throw InvalidInput  there are fewer than four distinct samples, or all are on a line or in a
 ///                      plane, up to the rounding of their coordinates

@@ -181,7 +181,7 @@ Tetrahedra powerCells(const std::vector<Ball>& balls, const Execution& execution
   return triangulation.tetrahedra();
 }
 
-/// Fills innerBall and outerBall. A repeated sample has the balls of the first one at its place.
+/// Fills innerBall and outerBall. A sample that counts as another one has that one's balls.
 void assignBalls(const DistinctSamples& distinct,
   const std::vector<std::array<Index, 2>>& ballsOfSample, PolarBalls& result)
 {
@@ -255,9 +255,9 @@ void toWorld(const Frame& frame, PolarBalls& balls)
 }
 
 PolarBallsAndSamples polarBallsAndSamples(
-  const std::vector<Point>& samples, const Execution& execution)
+  const std::vector<Point>& samples, const MergeOptions& options, const Execution& execution)
 {
-  const DistinctSamples distinct = distinctSamples(samples);
+  const DistinctSamples distinct = distinctSamples(samples, options);
   requireVolume(distinct);
   const DelaunaySpheres spheres = delaunaySpheres(distinct.points, execution.between(0, 0.2));
   const std::vector<std::array<Index, 2>> poleClasses = poles(spheres);
@@ -288,13 +288,16 @@ PolarBallsAndSamples polarBallsAndSamples(
                                          result.sides, result.ballSamples, mesh, edges },
     execution.between(0.9, 1));
   toWorld(distinct.frame, result);
+  made.samples.mergeTolerance = distinct.tolerance;
+  const Warnings merging = mergeWarnings(samples, distinct);
+  made.samples.warnings.insert(made.samples.warnings.end(), merging.begin(), merging.end());
   execution.report(1);
   return made;
 }
 
 PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execution)
 {
-  return polarBallsAndSamples(samples, execution).balls;
+  return polarBallsAndSamples(samples, {}, execution).balls;
 }
 
 std::vector<std::vector<Index>> innerBallsOfSamples(const PolarBalls& polarBalls)

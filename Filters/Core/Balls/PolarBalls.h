@@ -2,6 +2,7 @@
 #ifndef medial_PolarBalls_h
 #define medial_PolarBalls_h
 
+#include "Balls/DistinctSamples.h"
 #include "Base/Execution.h"
 #include "Base/Lists.h"
 #include "Base/Types.h"
@@ -42,9 +43,12 @@ struct PolarBalls
 /// of the input.
 struct SampleDescription
 {
-  std::vector<Index> duplicateOf; ///< the first sample at the very same place, or None
+  std::vector<Index>
+    duplicateOf;               ///< the sample that it counts as, at the very same place or within
+                               ///< the tolerance of it; None where it counts itself
   std::vector<double> quality; ///< -cos of the angle at which it sees its two poles, -1 ... 1: 1 is
                                ///< best; 0 and less: an edge, or too few samples
+  double mergeTolerance = 0;   ///< that was used, in the unit of the samples
   Warnings warnings;           ///< about the samples and the balls
 };
 
@@ -57,11 +61,12 @@ struct PolarBallsAndSamples
 /// The polar balls of `samples`, each labelled inner or outer, and a description of the samples.
 ///
 /// @param samples  points of the boundary of a solid, any unit; repeated points count once
+/// @param options  which points count as repeated
 /// @throw InvalidInput  fewer than 4 distinct points, all on a line or in a plane, or a coordinate
-///                      that is not finite
+///                      or an option that is not finite
 /// @throw Aborted
-PolarBallsAndSamples polarBallsAndSamples(
-  const std::vector<Point>& samples, const Execution& execution = {});
+PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
+  const MergeOptions& options = {}, const Execution& execution = {});
 
 /// The polar balls alone.
 PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execution = {});

@@ -93,7 +93,7 @@ TEST(PolarBalls, AreTheSameOnManyThreadsAndInEveryRun)
     SCOPED_TRACE(name);
     Pipeline& p = pipelines::of(name);
     EXPECT_EQ(
-      pipelines::bytesOf(medial::polarBallsAndSamples(p.shape.samples, pipelines::threaded())),
+      pipelines::bytesOf(medial::polarBallsAndSamples(p.shape.samples, {}, pipelines::threaded())),
       pipelines::bytesOf(p.ballsAndSamples()));
   }
 }

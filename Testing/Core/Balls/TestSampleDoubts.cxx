@@ -27,7 +27,7 @@ namespace
 {
 Warnings warningsOf(const std::vector<Point>& samples, const medial::Execution& execution = {})
 {
-  return medial::polarBallsAndSamples(samples, execution).samples.warnings;
+  return medial::polarBallsAndSamples(samples, {}, execution).samples.warnings;
 }
 
 std::set<std::string> codes(const Warnings& warnings)
