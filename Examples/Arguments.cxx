@@ -9,6 +9,10 @@
 #include <vtkNew.h>
 #include <vtkSimplifyShape.h>
 
+#include <cmath>
+#include <locale>
+#include <sstream>
+
 namespace
 {
 std::vector<int> parsePartIds(const std::string& list)
@@ -38,6 +42,18 @@ bool parseTopology(const std::string& word)
     throw UsageError("--topology is 'collapse' or 'none', not '" + word + "'");
   }
   return word == "collapse";
+}
+
+double parseLength(const std::string& word)
+{
+  std::istringstream stream(word);
+  stream.imbue(std::locale::classic());
+  double length = 0;
+  if (!(stream >> length) || !stream.eof() || !(length >= 0) || !std::isfinite(length))
+  {
+    throw UsageError("--merge-tolerance takes a length from 0 on, not '" + word + "'");
+  }
+  return length;
 }
 
 int parseThreads(const std::string& word)
@@ -108,6 +124,10 @@ std::vector<Option> optionsOf(Arguments& arguments)
     { "--drop-invalid", "",
       "leaves out points with a coordinate that is NaN or infinite, and counts them",
       turnsOn(arguments.dropInvalid) },
+    { "--merge-tolerance", "LENGTH",
+      "takes samples so near each other for one where they stand apart from all others, in the\n"
+      "unit of the samples (default: what the rounding of the file explains)",
+      [&](const std::string& value) { arguments.mergeTolerance = parseLength(value); } },
     { "--threads", "N", "uses N threads (default: all; the result is the same)",
       [&](const std::string& value) { arguments.threads = parseThreads(value); } },
     { "--picture", "", "also draws the stages; needs an X server (DISPLAY), see Examples/run",

@@ -15,8 +15,9 @@ struct Arguments
   bool splitAtNecks = false;
   bool keepTopology = true;
   std::vector<int> partsToRemove;
-  bool dropInvalid = false; ///< leave points with NaN or infinite coordinates out
-  int threads = 0;          ///< 0: as many as the machine has
+  bool dropInvalid = false;   ///< leave points with NaN or infinite coordinates out
+  double mergeTolerance = -1; ///< within it samples count as one; negative: what rounding explains
+  int threads = 0;            ///< 0: as many as the machine has
   bool picture = false;
   bool strict = false;
   bool quiet = false;

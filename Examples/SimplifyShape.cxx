@@ -49,6 +49,7 @@ void setProperties(vtkSimplifyShape* simplify, const Arguments& arguments)
   simplify->MakeUnprunedOn(); // for parts.vtp and parts.csv; --remove-parts names parts by them
   simplify->SetSchedule(arguments.schedule.c_str());
   simplify->SetAutomatic(arguments.automatic);
+  simplify->SetMergeTolerance(arguments.mergeTolerance);
   simplify->SetSplitAtNecks(arguments.splitAtNecks);
   vtkMedialPrune* prune = simplify->GetMedialPrune();
   // PartId in surface.vtp is that in pruned.vtp. The filter's own parts can differ where necks are cut,
