@@ -51,10 +51,10 @@ TEST(PolarBalls, HaveTheArraysOfTheirHeader)
       "Side unsigned char 1", "TouchesGuard unsigned char 1", "Volume double 1" }));
   EXPECT_EQ(arrays(balls->GetFieldData()),
     (std::vector<std::string>{ "BallSampleOffsets idtype 1", "BallSamples idtype 1",
-      "BettiPowerShape idtype 3", "NumberOfDuplicates idtype 1", "NumberOfHiddenBalls idtype 1",
-      "NumberOfInnerBalls idtype 1", "NumberOfOuterBalls idtype 1", "NumberOfSamples idtype 1",
-      "SampleInnerBall idtype 1", "SampleOuterBall idtype 1", "SampleSpacing double 1",
-      "Samples double 3" }));
+      "BettiPowerShape idtype 3", "MergeTolerance double 1", "NumberOfDuplicates idtype 1",
+      "NumberOfHiddenBalls idtype 1", "NumberOfInnerBalls idtype 1", "NumberOfOuterBalls idtype 1",
+      "NumberOfSamples idtype 1", "SampleInnerBall idtype 1", "SampleOuterBall idtype 1",
+      "SampleSpacing double 1", "Samples double 3" }));
 }
 
 TEST(PolarBalls, HaveSamplesWithTheArraysOfTheirHeader)

@@ -18,11 +18,11 @@ using pipelines::Pipeline;
 
 namespace
 {
-std::string messageOf(const std::vector<Point>& samples)
+std::string messageOf(const std::vector<Point>& samples, const medial::MergeOptions& options = {})
 {
   try
   {
-    medial::polarBalls(samples);
+    medial::polarBallsAndSamples(samples, options);
   }
   catch (const medial::InvalidInput& error)
   {
@@ -146,9 +146,11 @@ TEST(PolarBalls, RefuseTwoDistantSpecksBecauseOfTheirSize)
     const Point within(i % 5, i / 5 % 5, i / 25 % 4);
     specks.push_back(Point::Constant(i % 2) + 1e-10 * within);
   }
-  const std::string message = messageOf(specks);
+  const medial::MergeOptions none{ 0, 0 };
+  const std::string message = messageOf(specks, none);
   EXPECT_EQ(message.find("plane"), std::string::npos) << message;
   EXPECT_NE(message.find("of one line, which is 1.73205 long"), std::string::npos) << message;
+  EXPECT_NE(messageOf(specks).find("within the merge tolerance"), std::string::npos);
 }
 
 TEST(PolarBalls, RefuseCoordinatesThatAreNotFinite)
