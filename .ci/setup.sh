@@ -50,10 +50,12 @@ install_packages()
 }
 
 # Configures a folder with CMake: source, build folder, options. Shows CMake's words if it fails.
+# Warnings are errors only in the continuous integration: another compiler may have new ones.
 configure()
 {
   mkdir -p "$2"
-  cmake -S "$1" -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release "${@:3}" >"$2/configure.log" 2>&1 ||
+  cmake -S "$1" -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DMEDIAL_WARNINGS="-Wall;-Wextra${CI:+;-Werror}" "${@:3}" >"$2/configure.log" 2>&1 ||
     { cat "$2/configure.log"; fail "CMake failed."; }
 }
 
