@@ -124,7 +124,7 @@ std::vector<Option> optionsOf(Arguments& arguments)
     { "--drop-invalid", "",
       "leaves out points with a coordinate that is NaN or infinite, and counts them",
       turnsOn(arguments.dropInvalid) },
-    { "--merge-tolerance", "LENGTH",
+    { "--merge-tolerance", "L",
       "takes samples so near each other for one where they stand apart from all others, in the\n"
       "unit of the samples (default: what the rounding of the file explains)",
       [&](const std::string& value) { arguments.mergeTolerance = parseLength(value); } },

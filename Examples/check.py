@@ -60,7 +60,7 @@ class SimplifyShape(ProgramTest):
     def options(self):
         """Each option of --help with an example of its value, or None if it takes none."""
         examples = {"DIR": self.path("none"), '"W W ..."': "t5", "WORD": "none", "ID,ID": "0,1",
-                    "N": "1"}
+                    "N": "1", "L": "0.1"}
         text = self.run_program("--help").stdout
         found = re.findall(r"^  (--[a-z-]+)(?: (\S.*?))?  ", text, re.M)
         return {name: examples[placeholder] if placeholder else None

@@ -26,7 +26,8 @@ def paths():
 def thresholds(suggested, values):
     """The suggested one, else the median; and what takes nearly all parts of level 1."""
     small = suggested or numpy.median(values)
-    return small, max(4 * small, numpy.quantile(values, 0.95))
+    large = max(4 * small, numpy.quantile(values, 0.95))
+    return small, max(small, min(large, numpy.max(values)))  # a share above 1 is an error
 
 
 class Measures(unittest.TestCase):
