@@ -2,7 +2,6 @@
 #include "vtkPolarBalls.h"
 
 #include "Balls/OpenEdges.h"
-#include "Balls/PowerShape.h"
 #include "Conversion/Balls.h"
 #include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
@@ -49,11 +48,10 @@ int vtkPolarBalls::RequestData(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::PolarBallsAndSamples made =
         medial::polarBallsAndSamples(medial::readSamples(input),
-          { this->MergeTolerance, medial::sampleResolution(input) }, execution.between(0, 0.9));
-      const medial::PowerShape shape = medial::powerShape(made.balls, execution.between(0.9, 1));
+          { this->MergeTolerance, medial::sampleResolution(input) }, execution);
       const medial::Warnings open = medial::openSurfaceWarnings(
         medial::readPolygons(input), made.samples.duplicateOf, made.balls.samples);
-      medial::write(made, shape.betti, input, balls, samples);
+      medial::write(made, input, balls, samples);
       medial::reportWarnings(this, open, { balls, samples });
       medial::reportWarnings(this, made.samples.warnings, { balls, samples });
     });

@@ -125,10 +125,7 @@ void writeSamples(const PolarBallsAndSamples& made, vtkPolyData* output)
   add<vtkIdTypeArray>(sampleData, names::OuterBall, made.balls.outerBall);
   add<vtkIdTypeArray>(sampleData, names::DuplicateOf, made.samples.duplicateOf);
 }
-}
 
-namespace
-{
 /// Adds the polygons of a cell.
 void addPolygons(
   int cellType, std::vector<vtkIdType> corners, vtkIdType pointCount, IndexLists& polygons)
@@ -204,15 +201,15 @@ double sampleResolution(vtkPointSet* input)
   return result;
 }
 
-void write(const PolarBallsAndSamples& made, const Betti& powerShape, vtkPointSet* input,
-  vtkUnstructuredGrid* balls, vtkPolyData* samples)
+void write(const PolarBallsAndSamples& made, vtkPointSet* input, vtkUnstructuredGrid* balls,
+  vtkPolyData* samples)
 {
   writeBalls(made.balls, balls);
   vtkFieldData* field = balls->GetFieldData();
   passInput(input, field);
   addSamples(field, made.balls);
   addCounts(field, made);
-  addBetti(field, names::BettiPowerShape, powerShape);
+  addBetti(field, names::BettiPowerShape, made.powerShape);
   writeSamples(made, samples);
   passInput(input, samples->GetFieldData());
 }

@@ -27,11 +27,9 @@ IndexLists readPolygons(vtkPointSet* input);
 double sampleResolution(vtkPointSet* input);
 
 /// Writes the balls and the samples, as vtkPolarBalls.h describes them.
-/// @param powerShape  Betti numbers of the power shape of the balls
-/// @param input       its field data is passed on to both outputs, but not the verdict on an earlier
-///                    surface
-void write(const PolarBallsAndSamples& made, const Betti& powerShape, vtkPointSet* input,
-  vtkUnstructuredGrid* balls, vtkPolyData* samples);
+/// @param input  its field data is passed on to both outputs, but not the verdict on an earlier surface
+void write(const PolarBallsAndSamples& made, vtkPointSet* input, vtkUnstructuredGrid* balls,
+  vtkPolyData* samples);
 
 /// @throw InvalidInput  an array is missing or does not fit
 PolarBalls readPolarBalls(vtkUnstructuredGrid* input);

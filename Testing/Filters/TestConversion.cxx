@@ -40,7 +40,7 @@ vtkSmartPointer<vtkUnstructuredGrid> ballGrid()
 {
   auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPolyData> samples;
-  medial::write(values().made, { 1, 0, 0 }, filterTest::cloud(smallBox().samples), result, samples);
+  medial::write(values().made, filterTest::cloud(smallBox().samples), result, samples);
   return result;
 }
 

@@ -2,9 +2,9 @@
 #include "Balls/ContestedBalls.h"
 
 #include "Balls/MarkedBetti.h"
+#include "Base/Errors.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace medial
 {
@@ -12,9 +12,7 @@ namespace
 {
 std::string inWords(const Betti& betti)
 {
-  std::ostringstream text;
-  text << "pieces " << betti[0] << ", tunnels " << betti[1] << ", voids " << betti[2];
-  return text.str();
+  return text("pieces ", betti[0], ", tunnels ", betti[1], ", voids ", betti[2]);
 }
 
 std::vector<char> marked(
@@ -57,9 +55,9 @@ std::vector<Support> supports(const SampleEvidence& evidence)
     {
       continue; // at a sharp edge both poles may be on one side
     }
-    const Point u = evidence.balls[first].center - evidence.points[s];
-    const Point v = evidence.balls[second].center - evidence.points[s];
-    add(first, second, true, std::max(0.0, -u.normalized().dot(v.normalized())));
+    const double opposite =
+      opposition(evidence.points[s], evidence.balls[first], evidence.balls[second]);
+    add(first, second, true, std::max(0.0, opposite));
   }
   return result;
 }
@@ -95,13 +93,11 @@ Warnings contestedTopology(const SampleEvidence& evidence, const std::vector<Sup
   {
     return {};
   }
-  std::ostringstream text;
-  text << "It is doubtful for " << warning.count << " balls whether they are inside the solid, and "
-       << "the topology depends on them (" << inWords(betti)
-       << "; if all are outside: " << inWords(without) << "; if all are inside: " << inWords(with)
-       << "). Sample walls, gaps and sharp edges more densely.";
   warning.code = "contested_sides";
-  warning.text = text.str();
+  warning.text = text("It is doubtful for ", warning.count,
+    " balls whether they are inside the solid, and the topology depends on them (", inWords(betti),
+    "; if all are outside: ", inWords(without), "; if all are inside: ", inWords(with),
+    "). Sample walls, gaps and sharp edges more densely.");
   warning.place = evidence.frame.toWorld(evidence.balls[worst].center);
   warning.doubtsSolid = true;
   return { warning };

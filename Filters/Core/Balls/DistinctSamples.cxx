@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -111,12 +110,12 @@ Warnings mergeWarnings(const std::vector<Point>& samples, const DistinctSamples&
   {
     ++first;
   }
-  std::ostringstream text;
-  text << distinct.nearDuplicates << " of " << samples.size() << " samples lie within "
-       << distinct.tolerance
-       << " of another one and count as that one. If they are different places, set the merge "
-          "tolerance to 0.";
-  return { { "merged_duplicates", text.str(), distinct.nearDuplicates, samples[first], false } };
+  return { { "merged_duplicates",
+    text(distinct.nearDuplicates, " of ", samples.size(), " samples lie within ",
+      distinct.tolerance,
+      " of another one and count as that one. If they are different places, set the merge "
+      "tolerance to 0."),
+    distinct.nearDuplicates, samples[first], false } };
 }
 
 void requireVolume(const DistinctSamples& distinct)
@@ -124,9 +123,9 @@ void requireVolume(const DistinctSamples& distinct)
   const std::vector<Point>& points = distinct.points;
   if (points.size() < 4)
   {
-    const std::string merged = distinct.nearDuplicates == 0 ? std::string()
-                                                            : ", because " +
-        std::to_string(distinct.nearDuplicates) + " lie within the merge tolerance of others";
+    const std::string merged = distinct.nearDuplicates == 0
+      ? ""
+      : text(", because ", distinct.nearDuplicates, " lie within the merge tolerance of others");
     throw InvalidInput("there are only ", points.size(), " distinct samples", merged,
       "; at least 4 points of a closed surface are needed");
   }

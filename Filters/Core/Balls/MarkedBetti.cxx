@@ -3,6 +3,8 @@
 
 #include "Base/DisjointSets.h"
 
+#include <algorithm>
+
 // A simplex is in the subcomplex where all its corners are marked. So it is a closed subcomplex of a
 // triangulation of a convex hull, and its Betti numbers follow from counting: b0 is the number of its
 // pieces, b2 that of the pieces of space around it less one (Alexander duality), and b0 - b1 + b2 is the
@@ -36,6 +38,14 @@ Index openRestPieces(const Tetrahedra& mesh, const std::vector<char>& marked)
   }
   return pieces;
 }
+}
+
+std::vector<char> innerBalls(const std::vector<Side>& sides)
+{
+  std::vector<char> inner(sides.size());
+  std::transform(
+    sides.begin(), sides.end(), inner.begin(), [](Side side) { return side == Side::Inner; });
+  return inner;
 }
 
 Betti markedBetti(

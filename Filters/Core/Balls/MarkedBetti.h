@@ -41,6 +41,9 @@ void forMarkedTriangles(const Tetrahedra& mesh, const std::vector<char>& marked,
   }
 }
 
+/// Marks the balls inside the solid. The simplices with these corners are the power shape.
+std::vector<char> innerBalls(const std::vector<Side>& sides);
+
 /// Betti numbers of the subcomplex of all simplices of a triangulation whose corners are marked.
 /// @param mesh  the whole convex hull, with neighbours
 Betti markedBetti(const Tetrahedra& mesh, const std::vector<char>& marked);

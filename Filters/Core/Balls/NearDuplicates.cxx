@@ -2,16 +2,9 @@
 #include "Balls/NearDuplicates.h"
 
 #include "Base/Frame.h"
-
-#include <CGAL/Fuzzy_sphere.h>
-#include <CGAL/Kd_tree.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/property_map.h>
+#include "Base/Neighbors.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 
 // Each point asks a k-d tree for those near it, unless it has been decided with an earlier one. With it
@@ -23,11 +16,6 @@ namespace medial
 {
 namespace
 {
-using Kernel = CGAL::Simple_cartesian<double>;
-using Places = CGAL::Pointer_property_map<Kernel::Point_3>::const_type;
-using Traits = CGAL::Search_traits_adapter<Index, Places, CGAL::Search_traits_3<Kernel>>;
-using Sphere = CGAL::Fuzzy_sphere<Traits>;
-
 /// How far copies stand apart from other points, in tolerances.
 constexpr double separation = 10;
 }
@@ -39,26 +27,15 @@ std::vector<Index> nearDuplicates(const std::vector<Point>& points, double toler
   {
     return result;
   }
-  std::vector<Kernel::Point_3> places;
-  std::vector<Index> numbers;
-  for (const Point& p : points)
-  {
-    numbers.push_back(count(places));
-    places.emplace_back(p.x(), p.y(), p.z());
-  }
-  const Traits traits{ Places(places.data()) };
-  const CGAL::Kd_tree<Traits> tree(
-    numbers.begin(), numbers.end(), CGAL::Kd_tree<Traits>::Splitter(), traits);
+  const Neighbors neighbors(points);
   std::vector<char> decided(points.size(), 0);
-  std::vector<Index> near;
   for (Index p = 0; p < count(points); ++p)
   {
     if (decided[p])
     {
       continue;
     }
-    near.clear();
-    tree.search(std::back_inserter(near), Sphere(p, separation * tolerance, 0, traits));
+    std::vector<Index> near = neighbors.within(p, separation * tolerance);
     const auto within = std::partition(near.begin(), near.end(),
       [&](Index q) { return (points[q] - points[p]).norm() <= tolerance; });
     const bool standApart = within == near.end() && near.size() < points.size();

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Balls/NoiseEstimate.h"
 
+#include "Base/Lists.h"
+
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace medial
 {
@@ -62,8 +64,6 @@ double noiseEstimate(
   execution.forEach(count(residuals), [&](Index i) {
     residuals[i] = residual(points, i * step, neighbors.nearest(i * step, neighborCount));
   });
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  return *middle;
+  return median(std::move(residuals));
 }
 }

@@ -3,6 +3,7 @@
 
 #include "Balls/DelaunaySpheres.h"
 #include "Balls/DistinctSamples.h"
+#include "Balls/MarkedBetti.h"
 #include "Balls/SampleDoubts.h"
 #include "Balls/Sides.h"
 #include "Base/Frame.h"
@@ -224,9 +225,7 @@ SampleDescription describeSamples(const DistinctSamples& distinct,
     const auto [first, second] = ballsOfSample[s];
     if (first != None && second != None)
     {
-      const Point u = balls[first].center - distinct.points[s];
-      const Point v = balls[second].center - distinct.points[s];
-      result.quality[distinct.ids[s]] = -u.normalized().dot(v.normalized());
+      result.quality[distinct.ids[s]] = opposition(distinct.points[s], balls[first], balls[second]);
     }
   }
   for (std::size_t i = 0; i < result.quality.size(); ++i)
@@ -284,13 +283,13 @@ PolarBallsAndSamples polarBallsAndSamples(
   assignBalls(distinct, ballsOfSample, result);
   made.samples = describeSamples(distinct, ballsOfSample, result.balls);
   result.spacing = meanSpacing(spheres);
-  made.samples.warnings = sampleDoubts({ samples, distinct, ballsOfSample, result.balls,
-                                         result.sides, result.ballSamples, mesh, edges },
-    execution.between(0.9, 1));
+  made.powerShape = markedBetti(mesh, edges, innerBalls(result.sides));
+  made.samples.warnings =
+    sampleDoubts({ samples, distinct, ballsOfSample, result.balls, result.sides, result.ballSamples,
+                   mesh, edges, made.powerShape },
+      execution.between(0.9, 1));
   toWorld(distinct.frame, result);
   made.samples.mergeTolerance = distinct.tolerance;
-  const Warnings merging = mergeWarnings(samples, distinct);
-  made.samples.warnings.insert(made.samples.warnings.end(), merging.begin(), merging.end());
   execution.report(1);
   return made;
 }

@@ -56,6 +56,7 @@ struct PolarBallsAndSamples
 {
   PolarBalls balls;
   SampleDescription samples;
+  Betti powerShape; ///< Betti numbers of the balls' power shape, which are those of the solid
 };
 
 /// The polar balls of `samples`, each labelled inner or outer, and a description of the samples.

@@ -12,9 +12,7 @@ namespace medial
 {
 PowerShape powerShape(const PolarBalls& polarBalls, const Execution& execution)
 {
-  std::vector<char> inner(polarBalls.sides.size());
-  std::transform(polarBalls.sides.begin(), polarBalls.sides.end(), inner.begin(),
-    [](Side side) { return side == Side::Inner; });
+  const std::vector<char> inner = innerBalls(polarBalls.sides);
   PowerShape shape;
   shape.triangulation = withNeighbors(polarBalls.cells);
   const Tetrahedra& mesh = shape.triangulation;

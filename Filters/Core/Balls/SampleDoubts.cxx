@@ -2,19 +2,19 @@
 #include "Balls/SampleDoubts.h"
 
 #include "Balls/ContestedBalls.h"
-#include "Balls/MarkedBetti.h"
 #include "Balls/NoiseEstimate.h"
 #include "Balls/SampleEvidence.h"
 #include "Balls/StraySamples.h"
 #include "Balls/SurfaceGaps.h"
 #include "Balls/ThinFeatures.h"
+#include "Base/Errors.h"
+#include "Base/Lists.h"
 #include "Base/Neighbors.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <limits>
-#include <sstream>
 
 namespace medial
 {
@@ -87,12 +87,12 @@ Warnings noise(
   {
     return {};
   }
-  std::ostringstream text;
-  text << std::setprecision(3) << "Half of the samples scatter by " << estimate
-       << " of their spacing or more about a smooth surface: noise, or features too small for the "
-          "samples. Smooth the samples or take fewer of them against noise, more against small "
-          "features.";
-  return { { "noise", text.str(), count(distinct.points), {}, false } };
+  return { { "noise",
+    text(std::setprecision(3), "Half of the samples scatter by ", estimate,
+      " of their spacing or more about a smooth surface: noise, or features too small for the "
+      "samples. Smooth the samples or take fewer of them against noise, more against small "
+      "features."),
+    count(distinct.points), {}, false } };
 }
 
 Warnings proportion(const Betti& betti, Index sampleCount)
@@ -104,10 +104,10 @@ Warnings proportion(const Betti& betti, Index sampleCount)
   {
     return {};
   }
-  std::ostringstream text;
-  text << "There are only " << sampleCount << " samples for pieces " << betti[0] << ", tunnels "
-       << betti[1] << ", voids " << betti[2] << ". Sample the solid more densely.";
-  return { { "too_many_features", text.str(), features, {}, true } };
+  return { { "too_many_features",
+    text("There are only ", sampleCount, " samples for pieces ", betti[0], ", tunnels ", betti[1],
+      ", voids ", betti[2], ". Sample the solid more densely."),
+    features, {}, true } };
 }
 
 /// Were the coordinates rounded to floats, and does it matter? Numbers that floats hold by chance, such as
@@ -134,16 +134,16 @@ Warnings floatRounding(const DoubtInput& input, const std::vector<double>& spaci
   int exponent = 0;
   std::frexp(largest, &exponent);
   const double step = std::ldexp(1.0, exponent - floatBits);
-  const double usual = spacings[spacings.size() / 2] / input.distinct.frame.scale;
+  const double usual = median(spacings) / input.distinct.frame.scale;
   if (10 * odd < count(input.samples) || step < 1e-3 * usual)
   {
     return {};
   }
-  std::ostringstream text;
-  text << std::setprecision(3) << "The coordinates were rounded to 32-bit floats: they lie " << step
-       << " apart, the samples " << usual
-       << ". Move the object to the origin before it is stored so, or store doubles.";
-  return { { "float_rounding", text.str(), count(input.samples), {}, false } };
+  return { { "float_rounding",
+    text(std::setprecision(3), "The coordinates were rounded to 32-bit floats: they lie ", step,
+      " apart, the samples ", usual,
+      ". Move the object to the origin before it is stored so, or store doubles."),
+    count(input.samples), {}, false } };
 }
 
 void append(Warnings& warnings, const Warnings& more)
@@ -161,26 +161,21 @@ Warnings sampleDoubts(const DoubtInput& input, const Execution& execution)
   const SpacingsAtBalls atBalls = spacingsAtBalls(input, near.spacings);
   const SampleEvidence evidence{ input.distinct.frame, points, input.ballsOfSample, input.balls,
     input.sides, input.mesh, input.edges, near.spacings, atBalls.largest, atBalls.mean };
-  std::vector<char> inner(input.balls.size());
-  std::transform(input.sides.begin(), input.sides.end(), inner.begin(),
-    [](Side side) { return side == Side::Inner; });
-  const Betti betti = markedBetti(input.mesh, input.edges, inner);
   execution.report(0.6);
   const std::vector<Support> support = supports(evidence);
   std::vector<char> contested(support.size());
   std::transform(support.begin(), support.end(), contested.begin(), isContested);
 
-  Warnings result = contestedTopology(evidence, support, contested, betti);
+  Warnings result = contestedTopology(evidence, support, contested, input.powerShape);
   execution.report(0.9);
-  append(result, thinFeatures(evidence, betti));
-  append(result, emptiness(betti));
-  append(result, proportion(betti, count(points)));
+  append(result, thinFeatures(evidence, input.powerShape));
+  append(result, emptiness(input.powerShape));
+  append(result, proportion(input.powerShape, count(points)));
   append(result, straySamples(evidence, near.nearest));
   append(result, surfaceGaps(evidence, contested));
   append(result, noise(input.distinct, neighbors, execution));
-  std::vector<double> spacings = near.spacings;
-  std::sort(spacings.begin(), spacings.end());
-  append(result, floatRounding(input, spacings));
+  append(result, floatRounding(input, near.spacings));
+  append(result, mergeWarnings(input.samples, input.distinct));
   execution.report(1);
   return result;
 }

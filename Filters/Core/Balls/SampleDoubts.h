@@ -25,6 +25,7 @@ struct DoubtInput
   const IndexLists& ballSamples;  ///< by their numbers in `samples`
   const Tetrahedra& mesh;         ///< the balls' regular triangulation, with neighbours
   const std::vector<Edge>& edges; ///< of the mesh
+  const Betti& powerShape;        ///< Betti numbers of the power shape
 };
 
 /// What is doubtful about samples and balls. `Filters/README.md` lists the codes. Takes O(n log n) time.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Balls/StraySamples.h"
 
-#include <algorithm>
+#include "Base/Lists.h"
+
 #include <functional>
 #include <string>
 #include <utility>
@@ -10,13 +11,6 @@ namespace medial
 {
 namespace
 {
-double median(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The radius of a sample's larger polar ball, in local spacings. On a surface it is the distance to the
 /// medial axis on one of its sides, many spacings where the samples are dense.
 double reach(const SampleEvidence& evidence, Index s)
@@ -33,9 +27,8 @@ bool isOneSided(const SampleEvidence& evidence, Index s)
   {
     return false;
   }
-  const Point u = evidence.balls[first].center - evidence.points[s];
-  const Point v = evidence.balls[second].center - evidence.points[s];
-  return -u.normalized().dot(v.normalized()) > 0.5; // not at a sharp edge
+  // Not at a sharp edge.
+  return opposition(evidence.points[s], evidence.balls[first], evidence.balls[second]) > 0.5;
 }
 
 /// A kind of samples that are on no surface.

@@ -2,11 +2,11 @@
 #include "Balls/SurfaceGaps.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Errors.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <sstream>
 
 namespace medial
 {
@@ -64,13 +64,10 @@ Warnings surfaceGaps(const SampleEvidence& evidence, const std::vector<char>& co
     samples += spacing * spacing / 6;
   }
   const double share = largest.radius * largest.radius / samples;
-  std::ostringstream text;
-  text << std::setprecision(3) << "The surface crosses " << warning.count
-       << " gaps without samples; the largest is " << 2 * largest.radius / evidence.frame.scale
-       << " wide, " << 100 * share
-       << " % of the sampled area. Its shape is a guess there. Complete the samples.";
   warning.code = "gaps";
-  warning.text = text.str();
+  warning.text = text(std::setprecision(3), "The surface crosses ", warning.count,
+    " gaps without samples; the largest is ", 2 * largest.radius / evidence.frame.scale, " wide, ",
+    100 * share, " % of the sampled area. Its shape is a guess there. Complete the samples.");
   warning.place = evidence.frame.toWorld(largest.center);
   warning.doubtsSolid = share > 0.025;
   return { warning };

@@ -5,6 +5,7 @@
 #include "Base/Types.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <vector>
 
@@ -91,6 +92,15 @@ inline Index lowestCommonItem(const IndexLists& lists, const Tetrahedron& chosen
     }
   }
   return None;
+}
+
+/// The middle one of the values in order, the upper one of two.
+/// @param values  not empty
+inline double median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 /// Sorts values and drops repeats.

@@ -2,12 +2,14 @@
 #include "Base/Neighbors.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Fuzzy_sphere.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace medial
@@ -64,6 +66,21 @@ std::vector<Index> Neighbors::nearest(Index point, Index howMany) const
     {
       result.push_back(entry.second);
     }
+  }
+  return result;
+}
+
+std::vector<Index> Neighbors::within(Index point, double distance) const
+{
+  const Numbered center{ toKernel(this->implementation->points[point]), point };
+  std::vector<Numbered> found;
+  this->implementation->tree.search(
+    std::back_inserter(found), CGAL::Fuzzy_sphere<Traits>(center, distance));
+  std::vector<Index> result;
+  result.reserve(found.size());
+  for (const Numbered& near : found)
+  {
+    result.push_back(near.second);
   }
   return result;
 }

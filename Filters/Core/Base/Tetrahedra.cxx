@@ -57,6 +57,28 @@ Index highestCorner(const std::vector<Tetrahedron>& cells)
 }
 }
 
+void sortCells(std::vector<Tetrahedron>& cells)
+{
+  for (Tetrahedron& cell : cells)
+  {
+    std::sort(cell.begin(), cell.end());
+  }
+  std::sort(cells.begin(), cells.end());
+}
+
+std::vector<Tetrahedron> renumbered(
+  std::vector<Tetrahedron> cells, const std::vector<Index>& numbers)
+{
+  for (Tetrahedron& cell : cells)
+  {
+    for (Index& corner : cell)
+    {
+      corner = numbers[corner];
+    }
+  }
+  return cells;
+}
+
 Tetrahedra withNeighbors(std::vector<Tetrahedron> cells)
 {
   const auto triangle = [&cells](Index c, int i) {

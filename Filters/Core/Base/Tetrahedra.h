@@ -23,6 +23,13 @@ inline Triangle facet(const Tetrahedron& cell, int i)
   return { cell[corners[i][0]], cell[corners[i][1]], cell[corners[i][2]] };
 }
 
+/// Sorts the corners of each cell, then the cells: the same cells become the same list.
+void sortCells(std::vector<Tetrahedron>& cells);
+
+/// The cells with numbers[corner] for each corner.
+std::vector<Tetrahedron> renumbered(
+  std::vector<Tetrahedron> cells, const std::vector<Index>& numbers);
+
 /// The six edges of a cell as pairs of corner numbers.
 constexpr int cellEdges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
 

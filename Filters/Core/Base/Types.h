@@ -35,6 +35,14 @@ inline double intersectionDepth(const Ball& a, const Ball& b)
     (2 * a.radius * b.radius);
 }
 
+/// How opposite two balls are, seen from a point: minus the cosine of the angle between the directions to
+/// their centres, 1 in opposite directions.
+inline double opposition(const Point& point, const Ball& a, const Ball& b)
+{
+  const Point u = a.center - point, v = b.center - point;
+  return -u.normalized().dot(v.normalized());
+}
+
 /// Where a ball lies: outside or inside the solid, or hidden (it has no cell in the power diagram).
 enum class Side : signed char
 {

@@ -13,16 +13,6 @@ namespace medial
 {
 namespace
 {
-/// Corners ascending; ascending.
-void sortCells(std::vector<Tetrahedron>& cells)
-{
-  for (Tetrahedron& cell : cells)
-  {
-    std::sort(cell.begin(), cell.end());
-  }
-  std::sort(cells.begin(), cells.end());
-}
-
 /// Cells with a triangle in common are in one set.
 DisjointSets joinedAcrossTriangles(const std::vector<Tetrahedron>& cells)
 {

@@ -77,14 +77,6 @@ Tetrahedra cellsOfAll(const PolarBalls& polarBalls, const std::vector<Index>& id
   {
     number[ids[i]] = i;
   }
-  std::vector<Tetrahedron> cells = polarBalls.cells;
-  for (Tetrahedron& cell : cells)
-  {
-    for (Index& ball : cell)
-    {
-      ball = number[ball];
-    }
-  }
-  return withNeighbors(std::move(cells));
+  return withNeighbors(renumbered(polarBalls.cells, number));
 }
 }

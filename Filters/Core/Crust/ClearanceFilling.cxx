@@ -12,11 +12,7 @@ UntouchedCells::UntouchedCells(std::vector<Tetrahedron> before, const std::vecto
   : cells(std::move(before))
   , ids(ballIds)
 {
-  for (Tetrahedron& cell : this->cells)
-  {
-    std::sort(cell.begin(), cell.end());
-  }
-  std::sort(this->cells.begin(), this->cells.end());
+  sortCells(this->cells);
 }
 
 bool UntouchedCells::contains(Tetrahedron cell) const

@@ -17,8 +17,8 @@ enum class CrustRule
   Clearance = 0, ///< new outer balls, until every vertex of the crust that pruning has touched is a
                  ///< sample or within the clearance from the union of the kept balls. Balls that
                  ///< would take the topology farther from the one wanted are left out. Removed
-  ///< inner balls come back, few of them, where the topology of `topology` needs them
-  InnerOnly = 1,    ///< nothing (paper 5)
+                 ///< inner balls come back, few of them, where `topology` needs them
+  InnerOnly = 1, ///< nothing (paper 5)
   InnerAndOuter = 2 ///< nothing, and the outer balls of their samples are removed as well (paper 5,
                     ///< for sharp corners)
 };

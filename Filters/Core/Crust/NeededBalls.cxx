@@ -112,15 +112,7 @@ private:
     RegularTriangulation triangulation;
     triangulation.insert(these.balls);
     const Tetrahedra mesh = triangulation.tetrahedra();
-    Cells result{ mesh.cells, markedBetti(mesh, these.inner) };
-    for (Tetrahedron& cell : result.cells)
-    {
-      for (Index& corner : cell)
-      {
-        corner = chosen[corner];
-      }
-    }
-    return result;
+    return { renumbered(mesh.cells, chosen), markedBetti(mesh, these.inner) };
   }
 
   /// On two sides of a plane across the direction in which the balls' centres spread most.

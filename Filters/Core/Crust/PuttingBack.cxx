@@ -125,19 +125,6 @@ private:
   int attempts = 0;
 };
 
-/// The cells by the balls' numbers before.
-std::vector<Tetrahedron> originalCells(Tetrahedra mesh, const std::vector<Index>& ids)
-{
-  for (Tetrahedron& cell : mesh.cells)
-  {
-    for (Index& ball : cell)
-    {
-      ball = ids[ball];
-    }
-  }
-  return std::move(mesh.cells);
-}
-
 /// The first removed ball of a region of which none was put back.
 std::optional<Point> placeLeft(
   const Regions& regions, const PolarBalls& polarBalls, const ChosenBalls& chosen)
@@ -160,7 +147,7 @@ PuttingBack putBack(const Betti& topology, const Betti& now, const PolarBalls& p
   const Index before = count(chosen.ids);
   const LabelledBalls all = labelledBalls(polarBalls, frame);
   const Regions regions = contradictedRegions(all, polarBalls.cells,
-    originalCells(triangulation.tetrahedra(), chosen.ids), removedBalls(polarBalls, chosen),
+    renumbered(triangulation.tetrahedra().cells, chosen.ids), removedBalls(polarBalls, chosen),
     execution);
   Attempts attempts(topology, all, polarBalls.ballSamples, chosen, triangulation, now, execution);
   attempts.attempt(regions);

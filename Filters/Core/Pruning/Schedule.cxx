@@ -34,6 +34,14 @@ struct Fault
   std::string text;
 };
 
+/// The whole text as a number, which must be there; independent of the locale.
+template <typename Number>
+bool isNumber(const std::string& text, Number& value)
+{
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
 /// A plain decimal number, digits with at most one point, divided by 100 for per cents. Does not depend
 /// on the locale, and is rounded only once.
 double parseDecimal(const std::string& digits, bool isPercent)
@@ -43,22 +51,11 @@ double parseDecimal(const std::string& digits, bool isPercent)
     std::count(digits.begin(), digits.end(), '.') <= 1 && digits != ".";
   const std::string number = (digits.front() == '.' ? "0" : "") + digits + (isPercent ? "e-2" : "");
   double value = 0;
-  const auto [end, error] = std::from_chars(
-    number.data(), number.data() + number.size(), value, std::chars_format::general);
-  if (!isPlain || error != std::errc() || end != number.data() + number.size() ||
-    !std::isfinite(value))
+  if (!isPlain || !isNumber(number, value) || !std::isfinite(value))
   {
     throw Fault{ "'" + digits + "' is not a number" };
   }
   return value;
-}
-
-/// The whole text as a number, which must be there; independent of the locale.
-template <typename Number>
-bool isNumber(const std::string& text, Number& value)
-{
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
 }
 
 /// The fewest digits that are read as this number again.
@@ -92,8 +89,7 @@ int takePasses(std::string& word)
   }
   const std::string digits = word.substr(place + 1);
   int passes = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), passes);
-  if (error != std::errc() || end != digits.data() + digits.size() || passes < 1)
+  if (!isNumber(digits, passes) || passes < 1)
   {
     throw Fault{ "after x comes a number of passes, as in t5x1" };
   }
