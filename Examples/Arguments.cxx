@@ -2,6 +2,7 @@
 #include "Arguments.h"
 
 #include "Errors.h"
+#include "Lines.h"
 #include "Messages.h"
 #include "Options.h"
 
@@ -10,8 +11,6 @@
 #include <vtkSimplifyShape.h>
 
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 namespace
 {
@@ -46,10 +45,8 @@ bool parseTopology(const std::string& word)
 
 double parseLength(const std::string& word)
 {
-  std::istringstream stream(word);
-  stream.imbue(std::locale::classic());
   double length = 0;
-  if (!(stream >> length) || !stream.eof() || !(length >= 0) || !std::isfinite(length))
+  if (!parseReal(word, length) || !(length >= 0) || !std::isfinite(length))
   {
     throw UsageError("--merge-tolerance takes a length from 0 on, not '" + word + "'");
   }

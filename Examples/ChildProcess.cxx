@@ -12,7 +12,6 @@
 #include <fcntl.h>
 #include <fstream>
 #include <new>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <sys/wait.h>
@@ -38,7 +37,7 @@ std::size_t addressSpace()
 
 void apply(const Limits& limits)
 {
-  limit(RLIMIT_CORE, 0);
+  signals::beginChild();
   const double whole = std::floor(limits.seconds);
   itimerval timer = {};
   timer.it_value.tv_sec = static_cast<time_t>(whole);
@@ -47,8 +46,6 @@ void apply(const Limits& limits)
 #ifndef __SANITIZE_ADDRESS__               // which takes terabytes of address space
   limit(RLIMIT_AS, addressSpace() + limits.bytes);
 #endif
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  signals::restoreInChild();
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);

@@ -12,8 +12,6 @@
 #include <cstdlib>
 #include <optional>
 #include <poll.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <thread>
@@ -64,10 +62,7 @@ std::string answerOf(ExitCode code, const std::string& message)
 /// What the other process does, from its beginning to its end.
 [[noreturn]] void work(int socket, const DrawingProcess::Draw& draw)
 {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  signals::restoreInChild();
-  const rlimit noCore = { 0, 0 };
-  setrlimit(RLIMIT_CORE, &noCore);
+  signals::beginChild();
   const bool isSilent = std::freopen("/dev/null", "w", stderr) != nullptr; // Xlib's last words
   keepDisplay();
   std::string answer = answerOf(isSilent ? Done : UnusableInput, "");

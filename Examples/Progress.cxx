@@ -110,7 +110,8 @@ private:
     }
   }
 
-  /// The stage's warnings are printed below its bar, but for those that the summary tells. Errors are kept for who updates the filter.
+  /// The stage's warnings are printed below its bar, but for those that the summary tells. Errors are
+  /// kept for who updates the filter.
   void end()
   {
     if (!this->Line)

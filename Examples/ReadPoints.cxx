@@ -8,6 +8,7 @@
 #include "ReadText.h"
 #include "ReadXml.h"
 
+#include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
@@ -68,31 +69,27 @@ vtkSmartPointer<vtkPolyData> read(const std::string& file, const std::string& ex
     "' files; convert it to .ply .stl .obj .vtp .vtu .off or .xyz");
 }
 
-bool isFinite(const std::array<double, 3>& point)
+bool isFinite(vtkPoints* points, vtkIdType i)
 {
+  std::array<double, 3> point;
+  points->GetPoint(i, point.data());
   return std::all_of(point.begin(), point.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// The finite points.
-/// @param first  gets the id of the first other one, or -1
-vtkSmartPointer<vtkPoints> finitePoints(vtkPoints* points, vtkIdType& first)
+/// Only the finite points, as points alone: polygons might name others.
+vtkSmartPointer<vtkPolyData> finitePoints(vtkPoints* points)
 {
-  auto result = vtkSmartPointer<vtkPoints>::New();
-  result->SetDataType(points->GetDataType());
-  first = -1;
+  vtkNew<vtkPoints> finite;
+  finite->SetDataType(points->GetDataType());
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
-    std::array<double, 3> point;
-    points->GetPoint(i, point.data());
-    if (isFinite(point))
+    if (isFinite(points, i))
     {
-      result->InsertNextPoint(point.data());
-    }
-    else if (first < 0)
-    {
-      first = i;
+      finite->InsertNextPoint(points->GetPoint(i));
     }
   }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(finite);
   return result;
 }
 }
@@ -106,24 +103,21 @@ Input readInput(const std::string& file, bool dropInvalid)
     throw InputError(file + ": there are no points in it");
   }
   vtkPoints* points = data->GetPoints();
-  vtkIdType first = -1;
-  const auto finite = finitePoints(points, first);
-  Input input;
-  input.invalid = points->GetNumberOfPoints() - finite->GetNumberOfPoints();
-  if (input.invalid > 0 && !dropInvalid)
+  const vtkIdType count = points->GetNumberOfPoints();
+  vtkIdType first = count, invalid = 0;
+  for (vtkIdType i = count - 1; i >= 0; --i)
   {
-    throw InputError(file + ": " + std::to_string(input.invalid) + " of " +
-      std::to_string(points->GetNumberOfPoints()) +
+    if (!isFinite(points, i))
+    {
+      first = i;
+      ++invalid;
+    }
+  }
+  if (invalid > 0 && !dropInvalid)
+  {
+    throw InputError(file + ": " + std::to_string(invalid) + " of " + std::to_string(count) +
       " points have a coordinate that is NaN or infinite, the first is point " +
       std::to_string(first) + " (counted from 0); --drop-invalid leaves them out");
   }
-  input.samples = vtkSmartPointer<vtkPolyData>::New();
-  input.samples->SetPoints(input.invalid > 0 ? finite.Get() : points);
-  vtkPolyData* surface = vtkPolyData::SafeDownCast(data);
-  if (surface && input.invalid == 0)
-  {
-    input.samples->SetPolys(surface->GetPolys());
-    input.samples->SetStrips(surface->GetStrips());
-  }
-  return input;
+  return { invalid > 0 ? finitePoints(points) : data, invalid };
 }

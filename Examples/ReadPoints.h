@@ -9,13 +9,12 @@
 
 struct Input
 {
-  vtkSmartPointer<vtkPolyData>
-    samples;             ///< points, and the polygons between them where the file has
-                         ///< some and no point was left out
+  /// Points, and the polygons between them where no point was left out.
+  vtkSmartPointer<vtkPolyData> samples;
   vtkIdType invalid = 0; ///< points left out, because a coordinate is NaN or infinite
 };
 
-/// The points, and the polygons if it has them, of a .ply .stl .obj .vtp .vtu .off or .xyz file.
+/// The points of a .ply .stl .obj .vtp .vtu .off or .xyz file, and the polygons of a .ply .stl .obj .off.
 ///
 /// @param dropInvalid  leave points with a coordinate that is NaN or infinite out
 /// @throw InputError  the file can't be read, or has such points that must not be left out; says why

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <mutex>
 #include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
 #include <thread>
 #include <unistd.h>
 
@@ -72,9 +74,12 @@ void take(const std::string& program)
   std::thread(endBySignal, program, awaited).detach();
 }
 
-void restoreInChild()
+void beginChild()
 {
   pthread_sigmask(SIG_SETMASK, &MaskBefore, nullptr);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const rlimit noCore = { 0, 0 };
+  setrlimit(RLIMIT_CORE, &noCore);
 }
 
 Shield::Shield()

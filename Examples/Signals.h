@@ -16,8 +16,9 @@ namespace signals
 /// @param program  its name, for the message
 void take(const std::string& program);
 
-/// Gives a child process, made by fork(), the signals as they were before take().
-void restoreInChild();
+/// The first thing that a child process, made by fork(), does. It takes signals as they were before take(),
+/// ends when this process ends, and leaves no core file.
+void beginChild();
 
 /// While one lives, no signal ends the program; those that come are taken afterwards.
 class Shield
