@@ -148,6 +148,15 @@ vtkSmartPointer<vtkDataObject> trip(vtkDataObject* data)
 }
 }
 
+void countEvents(vtkObject* sender, unsigned long event, int& count)
+{
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&count);
+  counter->SetCallback(
+    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
+  sender->AddObserver(event, counter);
+}
+
 vtkSmartPointer<vtkPolyData> cloud(const std::vector<medial::Point>& points)
 {
   vtkNew<vtkPoints> places;

@@ -28,6 +28,9 @@ class vtkPolyData;
 /// What the tests of the filters share.
 namespace filterTest
 {
+/// Adds one to `count` for each event of an object.
+void countEvents(vtkObject* sender, unsigned long event, int& count);
+
 /// Points as a data set without cells.
 vtkSmartPointer<vtkPolyData> cloud(const std::vector<medial::Point>& points);
 

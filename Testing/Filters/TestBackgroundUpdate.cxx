@@ -4,7 +4,6 @@
 #include "vtkBackgroundUpdate.h"
 #include "vtkSimplifyShape.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkPolyData.h>
 
 #include <chrono>
@@ -73,11 +72,7 @@ TEST(BackgroundUpdate, RefusesASecondUpdateAtATime)
   simplify->SetInputData(cloud(smallBox().samples));
   vtkNew<vtkBackgroundUpdate> update;
   int errors = 0;
-  vtkNew<vtkCallbackCommand> counter;
-  counter->SetClientData(&errors);
-  counter->SetCallback(
-    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
-  update->AddObserver(vtkCommand::ErrorEvent, counter);
+  filterTest::countEvents(update, vtkCommand::ErrorEvent, errors);
   update->Start(simplify);
   update->Start(other);
   update->Start(nullptr);

@@ -310,11 +310,7 @@ TEST(SimplifyShape, MakesAllOutputsOfARankTogether)
   vtkNew<vtkSimplifyShape> simplify;
   simplify->SetInputDataObject(blocks);
   int runs = 0;
-  vtkNew<vtkCallbackCommand> count;
-  count->SetClientData(&runs);
-  count->SetCallback(
-    [](vtkObject*, unsigned long, void* number, void*) { ++*static_cast<int*>(number); });
-  simplify->AddObserver(vtkCommand::EndEvent, count);
+  filterTest::countEvents(simplify, vtkCommand::EndEvent, runs);
   int runsForOne = 0;
   for (int port = 0; port < 4; ++port)
   {

@@ -15,7 +15,6 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -122,16 +121,8 @@ const char* kindName(int kind)
 
 Stages stagesOf(const std::string& name, const std::vector<medial::Point>& samples)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const medial::Point& sample : samples)
-  {
-    points->InsertNextPoint(sample.data());
-  }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(points);
   vtkNew<vtkPolarBalls> balls;
-  balls->SetInputData(cloud);
+  balls->SetInputData(filterTest::cloud(samples));
   balls->Update();
   Stages result;
   std::string faults;

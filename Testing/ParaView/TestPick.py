@@ -4,7 +4,6 @@ of its steps to see what the clicks have done."""
 
 import os
 import sys
-import traceback
 
 sys.path.insert(0, os.environ["MEDIAL_TESTS"])
 import session
@@ -13,15 +12,7 @@ from session import check_equal, column, field, filters, pv, servermanager
 
 def pruned_axis():
     """What TestPick.xml finds: a pruned axis alone in the view, of which it selects some triangles."""
-    vars(filters).update((name, getattr(pv, name)) for name in dir(pv))
-    balls = filters.PolarBalls(registrationName="PolarBalls1", Input=session.samples())
-    axis = filters.MedialAxis(registrationName="MedialAxis1", Input=balls)
-    prune = filters.MedialPrune(registrationName="MedialPrune1", Input=axis)
-    view = pv.GetActiveViewOrCreate("RenderView")
-    pv.Show(prune, view)
-    view.CameraPosition, view.CameraFocalPoint = [1.5, 1, 9], [1.5, 1, 0.5]
-    pv.SetActiveSource(prune)
-    pv.Render()
+    session.show_pruned_axis()
 
 
 def history():
@@ -72,9 +63,4 @@ def crust_has_its_axis():
 
 steps = [pruned_axis, nothing_is_removed, picked_part_is_removed, picked_part_is_protected,
          measures_are_chosen, only_numbers_are_taken, crust_has_its_axis]
-session.step = getattr(session, "step", -1) + 1
-try:
-    steps[session.step]()
-except BaseException:
-    os.write(2, traceback.format_exc().encode()) # of a macro sys.stderr would go to a window
-    os._exit(1) # the user interface would go on
+session.take_step(steps)

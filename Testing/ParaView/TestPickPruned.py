@@ -4,7 +4,6 @@ between its steps to see what the clicks have done and to show what is picked ne
 
 import os
 import sys
-import traceback
 
 sys.path.insert(0, os.environ["MEDIAL_TESTS"])
 import session
@@ -56,16 +55,11 @@ def removed_by_hand():
 
 def pruned_axis():
     """What TestPickPruned.xml finds: a pruned axis alone in the view."""
-    vars(filters).update((name, getattr(pv, name)) for name in dir(pv))
-    balls = filters.PolarBalls(registrationName="PolarBalls1", Input=session.samples())
-    axis = filters.MedialAxis(registrationName="MedialAxis1", Input=balls)
-    pruned = filters.MedialPrune(registrationName="MedialPrune1", Input=axis)
-    crust = filters.PowerCrust(registrationName="PowerCrust1", Input=balls, Axis=pruned)
+    session.show_pruned_axis()
+    crust = filters.PowerCrust(registrationName="PowerCrust1", Input=pv.FindSource("PolarBalls1"),
+                               Axis=prune())
     crust.UpdatePipeline()
-    view = pv.GetActiveViewOrCreate("RenderView")
-    pv.Show(pruned, view)
-    view.CameraPosition, view.CameraFocalPoint = [1.5, 1, 9], [1.5, 1, 0.5]
-    pv.SetActiveSource(pruned)
+    pv.SetActiveSource(prune())
     pv.Render()
 
 
@@ -107,9 +101,4 @@ def other_cells_are_refused():
 steps = [pruned_axis, note_picks, their_part_is_removed, lambda: note_picks(2),
          removed_cells_are_translated, note_picks, several_picks_are_translated, note_points,
          points_keep_their_numbers, back_to_the_filter, other_cells_are_refused]
-session.step = getattr(session, "step", -1) + 1
-try:
-    steps[session.step]()
-except BaseException:
-    os.write(2, traceback.format_exc().encode()) # of a macro sys.stderr would go to a window
-    os._exit(1) # the user interface would go on
+session.take_step(steps)

@@ -3,6 +3,7 @@
 
 import os
 import random
+import traceback
 import types
 
 from paraview import servermanager
@@ -15,6 +16,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 filters = types.SimpleNamespace(plugin="MedialAxis")
 
 SIZE = (3.0, 2.0, 1.0)
+
+step = -1  # the last one that take_step has taken
 
 
 def box(spacing=0.15, seed=1):
@@ -55,6 +58,30 @@ def load_plugin(remote=False):
 
 def samples():
     return pv.XMLPolyDataReader(FileName=[write(box(), "samples.vtp")])
+
+
+def show_pruned_axis():
+    """What the tests of picking begin with, in the user interface: a pruned axis alone in the view."""
+    vars(filters).update((name, getattr(pv, name)) for name in dir(pv))
+    balls = filters.PolarBalls(registrationName="PolarBalls1", Input=samples())
+    axis = filters.MedialAxis(registrationName="MedialAxis1", Input=balls)
+    pruned = filters.MedialPrune(registrationName="MedialPrune1", Input=axis)
+    view = pv.GetActiveViewOrCreate("RenderView")
+    pv.Show(pruned, view)
+    view.CameraPosition, view.CameraFocalPoint = [1.5, 1, 9], [1.5, 1, 0.5]
+    pv.SetActiveSource(pruned)
+    pv.Render()
+
+
+def take_step(steps):
+    """Calls the next of the steps. A macro calls this anew each time; this module stays loaded."""
+    global step
+    step += 1
+    try:
+        steps[step]()
+    except BaseException:
+        os.write(2, traceback.format_exc().encode())  # of a macro sys.stderr would go to a window
+        os._exit(1)  # the user interface would go on
 
 
 class Chain:
