@@ -34,7 +34,8 @@
  * Field data, single values
  *  - `NumberOfSamples`, `NumberOfDuplicates`, `NumberOfInnerBalls`, `NumberOfOuterBalls`,
  *    `NumberOfHiddenBalls` (vtkIdType).
- *  - `MergeTolerance` (double, >= 0): the distance within which samples counted as one.
+ *  - `MergeTolerance` (double, >= 0): the distance within which samples counted as one, or the largest
+ *    one of two that did.
  *  - `SampleSpacing` (double, > 0): mean distance of a distinct sample to the nearest other one.
  *  - `BettiPowerShape` (vtkIdType, 3 components): pieces, tunnels and voids of the power shape,
  *    which are those of the solid.
@@ -97,7 +98,8 @@ public:
    * Negative (default -1): two units in the last place of the input's coordinates, but at least 1e-7 of
    * the diagonal of their bounding box. The unit is that of floats or doubles at the largest
    * coordinate; for coordinates that were rounded to more, as in a text, it is the one value of the
-   * input's field array `SampleResolution` (double, >= 0).
+   * input's field array `SampleResolution` (double, >= 0). Further, at any distance, clusters of less
+   * than fifty samples count as one if all others are 200 times as far away as the cluster is large.
    */
   vtkSetMacro(MergeTolerance, double);
   vtkGetMacro(MergeTolerance, double);

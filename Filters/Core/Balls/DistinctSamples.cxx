@@ -50,10 +50,9 @@ DistinctSamples distinctPlaces(const std::vector<Point>& samples)
 }
 
 /// Takes points out that are copies of others.
-void mergeNearDuplicates(DistinctSamples& distinct)
+/// @param original  for each point the one that it is a copy of, or None
+void takeOut(DistinctSamples& distinct, const std::vector<Index>& original)
 {
-  const std::vector<Index> original =
-    nearDuplicates(distinct.points, distinct.tolerance * distinct.frame.scale);
   std::vector<Index> standsFor(distinct.duplicateOf.size(), None); // for samples that are copies
   std::vector<Point> points;
   std::vector<Index> ids;
@@ -73,14 +72,35 @@ void mergeNearDuplicates(DistinctSamples& distinct)
   {
     Index& duplicateOf = distinct.duplicateOf[i];
     const Index place = duplicateOf == None ? i : duplicateOf;
-    if (standsFor[place] != None)
-    {
-      duplicateOf = standsFor[place];
-      ++distinct.nearDuplicates;
-    }
+    duplicateOf = standsFor[place] == None ? duplicateOf : standsFor[place];
   }
   distinct.points = std::move(points);
   distinct.ids = std::move(ids);
+}
+
+/// How far a sample is from the one that it counts as.
+double distance(const std::vector<Point>& samples, const DistinctSamples& distinct, Index i)
+{
+  const Index original = distinct.duplicateOf[i];
+  return original == None ? 0 : (samples[i] - samples[original]).norm();
+}
+
+void mergeNearDuplicates(
+  const std::vector<Point>& samples, const MergeOptions& options, DistinctSamples& distinct)
+{
+  distinct.tolerance =
+    options.tolerance < 0 ? defaultTolerance(samples, options.unit) : options.tolerance;
+  takeOut(distinct, nearDuplicates(distinct.points, distinct.tolerance * distinct.frame.scale));
+  if (options.tolerance < 0)
+  {
+    takeOut(distinct, clusteredDuplicates(distinct.points));
+  }
+  for (Index i = 0; i < count(samples); ++i)
+  {
+    const double moved = distance(samples, distinct, i);
+    distinct.nearDuplicates += moved > 0 ? 1 : 0;
+    distinct.tolerance = std::max(distinct.tolerance, moved);
+  }
 }
 }
 
@@ -92,9 +112,7 @@ DistinctSamples distinctSamples(const std::vector<Point>& samples, const MergeOp
       options.tolerance, " and ", options.unit);
   }
   DistinctSamples result = distinctPlaces(samples);
-  result.tolerance =
-    options.tolerance < 0 ? defaultTolerance(samples, options.unit) : options.tolerance;
-  mergeNearDuplicates(result);
+  mergeNearDuplicates(samples, options, result);
   return result;
 }
 

@@ -16,7 +16,7 @@ struct MergeOptions
 {
   /// Samples within this distance of each other that stand apart from all others are one, see
   /// NearDuplicates.h; in the unit of the samples. 0: only those at the very same place. Negative:
-  /// defaultTolerance.
+  /// defaultTolerance, and clusters that are far smaller than their distance to all others.
   double tolerance = -1;
   double unit = 0; ///< to which the samples' coordinates were rounded; 0: not known
 };
@@ -31,7 +31,9 @@ struct DistinctSamples
   std::vector<Index> duplicateOf; ///< for each sample of the input: the one in `ids` that it counts
                                   ///< as, or None where it is this one
   Index nearDuplicates = 0; ///< how many samples are not at the place of the one they count as
-  double tolerance = 0;     ///< that was used, in the unit of the samples
+  double tolerance =
+    0; ///< that was used, in the unit of the samples; or the distance of the farthest
+       ///< of them, if it is more
 };
 
 /// @throw InvalidInput  no samples, a coordinate that is not finite, all in one place; a tolerance or a

@@ -17,6 +17,15 @@ namespace medial
 /// @param tolerance  in their unit; 0: there are no copies
 std::vector<Index> nearDuplicates(const std::vector<Point>& points, double tolerance);
 
+/// The same for copies that differ by more than a known rounding, as those that went through other units or
+/// through a motion: the points themselves tell.
+///
+/// A point and those nearest to it are copies of one place if the next one is at least 200 times as far
+/// away as the farthest of them. Fifty points or more are never one place: they may be an object of its
+/// own. All points are never copies of one.
+/// @param points  different ones; of copies the first one stays
+std::vector<Index> clusteredDuplicates(const std::vector<Point>& points);
+
 /// The tolerance for points of which nothing else is known: two of its units for coordinates that were
 /// rounded, as then two copies of a place differ by at most one unit in each coordinate; and at least
 /// 1e-7 of the diagonal of their bounding box, a little less than floats of that size resolve.

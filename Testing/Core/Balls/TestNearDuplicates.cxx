@@ -3,6 +3,7 @@
 #include "Balls/DistinctSamples.h"
 #include "Balls/NearDuplicates.h"
 #include "Balls/PolarBalls.h"
+#include "Balls/PowerShape.h"
 #include "Base/Errors.h"
 #include "PoissonDisk.h"
 #include "Shapes.h"
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -123,6 +125,79 @@ TEST(NearDuplicates, OfASoupOfTrianglesGiveTheSolid)
   EXPECT_EQ(warning.code, "merged_duplicates");
   EXPECT_EQ(warning.count, 5 * medial::count(torus.samples));
   EXPECT_TRUE(warning.place);
+}
+
+TEST(NearDuplicates, AreFoundAtAnyDistanceFarBelowTheSpacing)
+{
+  const shapes::Shape torus = shapes::torus();
+  for (const double distance : { 1e-9, 1e-7, 1e-5, 1e-4, 1e-3 })
+  {
+    for (int copies = 2; copies <= 6; ++copies)
+    {
+      SCOPED_TRACE(medial::text(copies, " copies at ", distance, " spacings"));
+      const std::vector<Point> samples = soup(torus.samples, copies, distance * torus.spacing);
+      const medial::DistinctSamples distinct = medial::distinctSamples(samples);
+      EXPECT_EQ(distinct.ids.size(), torus.samples.size());
+      EXPECT_EQ(distinct.nearDuplicates, (copies - 1) * medial::count(torus.samples));
+      for (const double unit : { 1e-20, 1.0, 1e6 })
+      {
+        const std::vector<Point> moved =
+          shapes::scaled(shapes::moved(samples, Point(0.5, -3, 2)), unit);
+        EXPECT_EQ(medial::distinctSamples(moved).ids.size(), torus.samples.size()) << unit;
+      }
+    }
+  }
+}
+
+TEST(NearDuplicates, AtAnyDistanceGiveTheSolid)
+{
+  const shapes::Shape torus = shapes::torus();
+  for (const double distance : { 1e-7, 1e-5, 1e-3 })
+  {
+    const std::vector<Point> samples = soup(torus.samples, 6, distance * torus.spacing);
+    const medial::PolarBallsAndSamples made = medial::polarBallsAndSamples(samples);
+    EXPECT_EQ(medial::powerShape(made.balls).betti, torus.betti) << distance;
+    ASSERT_EQ(made.samples.warnings.size(), 1u);
+    EXPECT_EQ(made.samples.warnings[0].code, "merged_duplicates");
+  }
+}
+
+TEST(NearDuplicates, FollowTheSpacingOfEachPlace)
+{
+  // Seen from near it, a sphere is dense on one side: the spacings differ by the factor 16 here.
+  const Point eye(0.6, 0, 0);
+  const shapes::Shape sphere = shapes::sphere();
+  std::vector<Point> sparse, doubled;
+  shapes::Random random(5);
+  for (const Point& p : sphere.samples)
+  {
+    const Point seen = (p - eye) / (p - eye).squaredNorm();
+    const double distance = 1e-3 * sphere.spacing / (p - eye).squaredNorm();
+    sparse.push_back(seen);
+    doubled.push_back(seen);
+    doubled.push_back(seen + distance * shapes::uniformInBox(random, Point::Constant(1)));
+  }
+  EXPECT_EQ(medial::distinctSamples(sparse).ids.size(), sparse.size());
+  EXPECT_EQ(medial::distinctSamples(doubled).ids.size(), sparse.size());
+}
+
+TEST(NearDuplicates, AreNotMadeOfTinyObjects)
+{
+  std::vector<Point> samples;
+  for (const Index size : { 49, 50 })
+  {
+    std::vector<Point> object = shapes::scaled(shapes::sphere().samples, 1e-4);
+    object.resize(size);
+    object = shapes::moved(object, Point(size, 0, 0));
+    samples.insert(samples.end(), object.begin(), object.end());
+  }
+  EXPECT_EQ(medial::distinctSamples(samples).ids.size(), 51u); // 49 are too few for an object
+  std::vector<Point> chain;
+  for (int i = 0; i < 12; ++i)
+  {
+    chain.emplace_back(std::pow(150, i), 0, 0);
+  }
+  EXPECT_EQ(medial::clusteredDuplicates(chain), std::vector<Index>(12, None));
 }
 
 TEST(NearDuplicates, AreNotWarnedOfWhereTheyAreFewOrTheVerySame)
