@@ -100,12 +100,14 @@ void writeBalls(const PolarBalls& balls, vtkUnstructuredGrid* output)
   add<vtkDoubleArray>(ballData, names::PoleVolume, balls.poleVolumes);
 }
 
-/// The samples may be the surface of an earlier run: the verdict on that stays behind.
+/// The samples may be the surface of an earlier run: the verdict on that stays behind. The unit of the
+/// samples is not that of what is made from them.
 void passInput(vtkPointSet* input, vtkFieldData* output)
 {
   output->PassData(input->GetFieldData());
   output->RemoveArray(names::Verdict);
   output->RemoveArray(names::VerdictReasons);
+  output->RemoveArray(names::SampleResolution);
 }
 
 /// A vertex for each sample, so that they can be drawn and picked.

@@ -5,6 +5,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -33,6 +34,45 @@ double field(vtkDataObject* data, const char* name, vtkIdType entry = 0, int com
 vtkPolyData* samplesOf(vtkPolarBalls* filter)
 {
   return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1));
+}
+
+/// Says to what the coordinates of the samples were rounded.
+void setResolution(vtkPolyData* samples, double value)
+{
+  vtkNew<vtkDoubleArray> unit;
+  unit->SetName("SampleResolution");
+  unit->InsertNextValue(value);
+  samples->GetFieldData()->AddArray(unit);
+}
+
+/// Each sample of a small box twice.
+/// @param type      of the coordinates
+/// @param place     where the box is
+/// @param distance  of the two along x
+vtkSmartPointer<vtkPolyData> twice(double distance, int type = VTK_DOUBLE, double place = 0)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(type);
+  for (const double x : { place, place + distance })
+  {
+    for (const Point& sample : smallBox().samples)
+    {
+      points->InsertNextPoint(sample.x() + x, sample.y(), sample.z());
+    }
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  return result;
+}
+
+double duplicates(vtkPolyData* samples, double tolerance = -1)
+{
+  vtkNew<vtkPolarBalls> filter;
+  filter->SetInputData(samples);
+  filter->SetMergeTolerance(tolerance);
+  filter->Update();
+  EXPECT_EQ(filter->GetMergeTolerance(), tolerance);
+  return field(filter->GetOutput(), "NumberOfDuplicates");
 }
 
 /// What the filter says about samples that it can't use.
@@ -218,6 +258,47 @@ TEST(PolarBalls, TakeRepeatedPointsOnce)
   vtkDataArray* first = output->GetPointData()->GetArray("DuplicateOf");
   EXPECT_EQ(first->GetComponent(repeated, 0), 9);
   EXPECT_EQ(first->GetComponent(9, 0), -1);
+}
+
+TEST(PolarBalls, TakeSamplesThatWereRoundedApartForOne)
+{
+  const double all = static_cast<double>(smallBox().samples.size());
+  const double near = 3e-3; // in spacings 0.025, too much for copies that nothing tells of
+  EXPECT_EQ(duplicates(twice(near)), 0);
+  EXPECT_EQ(duplicates(twice(near), 2 * near), all);
+  EXPECT_EQ(duplicates(twice(1e-8)), all);
+  EXPECT_EQ(duplicates(twice(1e-8), 0), 0);
+  const vtkSmartPointer<vtkPolyData> text = twice(near);
+  setResolution(text, near);
+  EXPECT_EQ(duplicates(text), all);
+  // Floats from 32768 on are 2^-8 apart.
+  EXPECT_EQ(duplicates(twice(std::ldexp(1, -8), VTK_FLOAT, 32768)), all);
+  EXPECT_EQ(duplicates(twice(std::ldexp(1, -6), VTK_FLOAT, 32768)), 0);
+  EXPECT_EQ(duplicates(twice(std::ldexp(1, -8), VTK_DOUBLE, 32768)), 0);
+}
+
+TEST(PolarBalls, KeepTheUnitOfTheirSamplesToThemselves)
+{
+  const vtkSmartPointer<vtkPolyData> input = twice(1e-4);
+  setResolution(input, 1e-4);
+  vtkNew<vtkPolarBalls> filter;
+  filter->SetInputData(input);
+  filter->Update();
+  EXPECT_EQ(field(filter->GetOutput(), "MergeTolerance"), 2e-4);
+  EXPECT_FALSE(filter->GetOutput()->GetFieldData()->HasArray("SampleResolution"));
+  EXPECT_FALSE(samplesOf(filter)->GetFieldData()->HasArray("SampleResolution"));
+}
+
+TEST(PolarBalls, RefuseAUnitOfTheSamplesThatIsNoLength)
+{
+  for (const double value : { -1.0, std::numeric_limits<double>::infinity() })
+  {
+    const vtkSmartPointer<vtkPolyData> input = twice(1e-4);
+    setResolution(input, value);
+    vtkNew<vtkPolarBalls> filter;
+    filter->SetInputData(input);
+    EXPECT_NE(onlyError(filter).find("'SampleResolution' must hold one length"), std::string::npos);
+  }
 }
 
 TEST(PolarBalls, DontDependOnCells)
