@@ -58,7 +58,8 @@ class Simplified(NamedTuple):
 
 
 def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
-             progress: Callable[[float], Any] | None = None) -> Simplified:
+             progress: Callable[[float], Any] | None = None,
+             merge_tolerance: float | None = None) -> Simplified:
     """Simplifies the solid that is given by points of its boundary.
 
     Other threads of Python go on meanwhile. Ctrl-C stops it within a second.
@@ -70,6 +71,8 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
     progress  is called from time to time with how much is done, 0 ... 1, on the thread that called
               simplify; where it returns False, the work stops and Stopped is raised. What it raises
               stops the work, too, and is raised again
+    merge_tolerance  samples within this distance of each other are one where they stand apart from all
+              others, see MergeTolerance of vtkPolarBalls; None: what the rounding of the points explains
     Raises ValueError where the points or the schedule can't be used; the message says why.
     Issues a MedialAxisWarning for each doubt, and where the surface is not certified.
     """
@@ -77,6 +80,8 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
     prune = filter.GetMedialPrune()
     quiet = prune.AddObserver("ErrorEvent", lambda *_: None)  # else VTK prints what is raised below
     filter.SetInputData(points if isinstance(points, vtkPointSet) else _cloud(points))
+    if merge_tolerance is not None:
+        filter.SetMergeTolerance(merge_tolerance)
     if isinstance(schedule, str):
         filter.SetSchedule(schedule)
     elif schedule is not None:
@@ -172,7 +177,9 @@ def _cloud(points: Any) -> vtkPolyData:
     import numpy
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
-    coordinates = numpy.ascontiguousarray(points, dtype=float)
+    given = numpy.asarray(points)
+    isSingle = given.dtype == numpy.float32  # tells to what the coordinates were rounded
+    coordinates = numpy.ascontiguousarray(given, dtype=given.dtype if isSingle else float)
     if coordinates.ndim != 2 or coordinates.shape[1] != 3:
         raise ValueError("points have the shape %s; give an array of shape (n, 3)"
                          % (coordinates.shape,))

@@ -73,6 +73,18 @@ class Simplify(unittest.TestCase):
         listed = simplify(ellipsoid(400).tolist())
         self.assertEqual(arrays(listed.history)["Threshold"].tolist(), [5, 5, 0.01])
 
+    def test_merges_near_duplicates(self):
+        points = ellipsoid(400)
+        twice = numpy.concatenate([points, points + [5e-3, 0, 0]])  # a fiftieth of the spacing
+        expected = arrays(simplify(points).surface)["points"]
+        with self.assertWarnsRegex(medialaxis.MedialAxisWarning, "400 of 800 samples"):
+            result = simplify(twice, merge_tolerance=1e-2)
+        self.assertEqual(len(arrays(result.surface)["points"]), len(expected))
+        far = points + [40000, 0, 0]  # where floats are 2^-8 apart
+        floats = numpy.concatenate([far, far + [2 ** -8, 0, 0]]).astype(numpy.float32)
+        with self.assertWarnsRegex(medialaxis.MedialAxisWarning, "samples lie within 0.0078125"):
+            simplify(floats)
+
     def test_takes_a_schedule_in_words(self):
         words = simplify(ellipsoid(400), "t5 v1%")
         listed = simplify(ellipsoid(400), [("TriangleCount", 5), ("RelativeVolume", 0.01)])
