@@ -2,13 +2,18 @@
 #ifndef Polygons_h
 #define Polygons_h
 
+#include "Resolution.h"
+
 #include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 /// Collects the points and polygons that a reader finds. It grows with what is there, never by a count that a
@@ -22,6 +27,16 @@ public:
   vtkIdType addPoint(const std::array<double, 3>& point)
   {
     return this->Points->InsertNextPoint(point.data());
+  }
+
+  /// Says how the coordinates of a point were written in a text.
+  /// @param first  which of the words is x
+  void noteWords(const std::vector<std::string_view>& words, std::size_t first)
+  {
+    for (std::size_t k = first; k < first + 3; ++k)
+    {
+      this->Unit.add(words[k]);
+    }
   }
 
   vtkIdType points() const { return this->Points->GetNumberOfPoints(); }
@@ -42,15 +57,24 @@ public:
     }
   }
 
+  /// With the field array `SampleResolution` of vtkPolarBalls, where it is known.
   vtkSmartPointer<vtkPolyData> take()
   {
     auto result = vtkSmartPointer<vtkPolyData>::New();
     result->SetPoints(this->Points);
     result->SetPolys(this->Cells);
+    if (this->Unit.value() > 0)
+    {
+      vtkNew<vtkDoubleArray> unit;
+      unit->SetName("SampleResolution");
+      unit->InsertNextValue(this->Unit.value());
+      result->GetFieldData()->AddArray(unit);
+    }
     return result;
   }
 
 private:
+  Resolution Unit;
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Cells;
   std::vector<vtkIdType> Corners;

@@ -94,6 +94,7 @@ void readStatement(const Lines& lines, Counts& counts, Polygons& polygons)
   if (keyword == "v")
   {
     polygons.addPoint(lines.point(1, "v x y z"));
+    polygons.noteWords(lines.words(), 1);
     ++counts.known[0];
   }
   else if (keyword == "vt" || keyword == "vn")

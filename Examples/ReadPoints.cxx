@@ -8,6 +8,7 @@
 #include "ReadText.h"
 #include "ReadXml.h"
 
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -77,8 +78,9 @@ bool isFinite(vtkPoints* points, vtkIdType i)
 }
 
 /// Only the finite points, as points alone: polygons might name others.
-vtkSmartPointer<vtkPolyData> finitePoints(vtkPoints* points)
+vtkSmartPointer<vtkPolyData> finitePoints(vtkPolyData* data)
 {
+  vtkPoints* points = data->GetPoints();
   vtkNew<vtkPoints> finite;
   finite->SetDataType(points->GetDataType());
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
@@ -90,6 +92,7 @@ vtkSmartPointer<vtkPolyData> finitePoints(vtkPoints* points)
   }
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->SetPoints(finite);
+  result->GetFieldData()->PassData(data->GetFieldData());
   return result;
 }
 }
@@ -119,5 +122,5 @@ Input readInput(const std::string& file, bool dropInvalid)
       " points have a coordinate that is NaN or infinite, the first is point " +
       std::to_string(first) + " (counted from 0); --drop-invalid leaves them out");
   }
-  return { invalid > 0 ? finitePoints(points) : data, invalid };
+  return { invalid > 0 ? finitePoints(data) : data, invalid };
 }

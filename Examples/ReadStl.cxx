@@ -10,6 +10,8 @@
 #include <cstring>
 #include <initializer_list>
 #include <map>
+#include <string_view>
+#include <vector>
 
 namespace
 {
@@ -41,6 +43,11 @@ public:
       this->Result.addPoint(point);
     }
     this->Result.add(known->second);
+  }
+
+  void noteWords(const std::vector<std::string_view>& words, std::size_t first)
+  {
+    this->Result.noteWords(words, first);
   }
 
   void end() { this->Result.end(); }
@@ -137,6 +144,7 @@ void readFacet(Lines& lines, Corners& corners)
   {
     expect(lines, { "vertex" });
     corners.add(lines.point(1, "vertex x y z"));
+    corners.noteWords(lines.words(), 1);
   }
   corners.end();
   expect(lines, { "endloop" });

@@ -112,6 +112,7 @@ vtkSmartPointer<vtkPolyData> readOff(const std::string& file)
   {
     nextOf(lines, i, points, " points");
     polygons.addPoint(lines.point(0, "x y z of a point"));
+    polygons.noteWords(lines.words(), 0);
   }
   for (long long i = 0; i < faces; ++i)
   {
@@ -147,6 +148,7 @@ vtkSmartPointer<vtkPolyData> readXyz(const std::string& file)
     const bool isFirst = lines.number() == first; // perhaps a header
     polygons.addPoint(lines.point(
       0, isFirst ? "x y z (delete this line if it is a header over columns x y z)" : "x y z"));
+    polygons.noteWords(lines.words(), 0);
   }
   if (count >= 0 && count != polygons.points())
   {

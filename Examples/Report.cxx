@@ -297,6 +297,7 @@ std::string report(
       {
         { "samples", number(fieldValue(samples, "NumberOfSamples")) },
         { "duplicates", number(fieldValue(samples, "NumberOfDuplicates")) },
+        { "mergeTolerance", number(fieldValue(samples, "MergeTolerance")) },
         { "invalid", number(double(input.invalid)) },
         { "balls", balls(simplify) },
         { "betti", betti(simplify) },

@@ -102,6 +102,11 @@ class SimplifyShape(ProgramTest):
                           "--schedule", "t1")
         self.assert_fails(1, ["one input"], points, points)
 
+    def test_merge_tolerance_is_a_length(self):
+        points = self.write_xyz(ellipsoid(100))
+        for word in ("-1", "0,1", "much", "inf", "nan"):
+            self.assert_fails(1, ["--merge-tolerance", word], points, "--merge-tolerance", word)
+
     def test_output_that_is_a_file_gives_2(self):
         points = self.write_xyz(ellipsoid(300))
         done = self.run_program(points, "--output", points)

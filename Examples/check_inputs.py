@@ -8,7 +8,7 @@ import resource
 import struct
 import subprocess
 
-from program_test import PROGRAM, ProgramTest, ellipsoid
+from program_test import PROGRAM, ProgramTest, ellipsoid, torus
 
 POINTS = ellipsoid(300)
 XYZ = "property double x\nproperty double y\nproperty double z\n"
@@ -187,6 +187,32 @@ class Inputs(ProgramTest):
                               ("header.stl", binary_stl(triangles, text=b"\0"))):
             with self.subTest(name):
                 self.assertEqual(self.read(name, content), expected)
+
+    def test_corners_of_triangles_that_differ_slightly_are_one(self):
+        points = torus(1200)
+        for off in (4e-7, 4e-5):  # the spacing is 0.13
+            soup = [tuple(c + off * ((i * (k + 2)) % 3 - 1) / 2 for k, c in enumerate(point))
+                    for point in points for i in range(3)]
+            text = "".join("v %.7f %.7f %.7f\n" % point for point in soup)
+            report = self.read("soup.obj", text)
+            self.assertEqual(report["betti"]["crust"], [1, 1, 0])
+            self.assertEqual((report["samples"], report["duplicates"]), (3600, 2400))
+            self.assertEqual([w["code"] for w in report["warnings"]], ["merged_duplicates"])
+        report = self.read("soup.obj", text, "--merge-tolerance", "0")
+        self.assertEqual((report["duplicates"], report["mergeTolerance"]), (0, 0))
+
+    def test_digits_of_a_text_tell_what_is_near(self):
+        points = torus(600)
+        written = ["%.3f %.3f %.3f\n" % point for point in points]
+        written += ["%.3f %.3f %.3f\n" % (x + 0.001, y, z) for x, y, z in points]
+        bad = "nan 0.000 0.000\n"
+        for name, content, *options in (("rounded.xyz", "".join(written)),
+                                        ("dropped.xyz", bad + "".join(written), "--drop-invalid"),
+                                        ("v.obj", "".join("v " + line for line in written))):
+            with self.subTest(name):
+                report = self.read(name, content, *options)
+                self.assertEqual(report["mergeTolerance"], 0.002)
+                self.assertEqual(report["duplicates"], 600)
 
     def test_text_is_read_as_people_write_it(self):
         expected = self.read("plain.xyz", rows(POINTS))

@@ -5,9 +5,12 @@
 #include "ReadPly.h"
 #include "ReadStl.h"
 #include "ReadText.h"
+#include "Resolution.h"
 
 #include <gtest/gtest.h>
 
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 
@@ -334,4 +337,40 @@ TEST(Lines, CountLinesOfAllKinds)
   }
   EXPECT_EQ(words, "1a2b3c6e");
 }
+}
+
+TEST(Resolution, IsTheLastDigitOfTheLargestNumbers)
+{
+  const auto of = [](const std::vector<const char*>& words) {
+    Resolution resolution;
+    for (const char* word : words)
+    {
+      resolution.add(word);
+    }
+    return resolution.value();
+  };
+  EXPECT_DOUBLE_EQ(of({ "1.25", "-0.5", "1.125" }), 1e-3);
+  EXPECT_DOUBLE_EQ(of({ "0.00012345", "-123.45", "12.345" }), 1e-2);
+  EXPECT_DOUBLE_EQ(of({ "1.0", "0.12345" }), 1e-4);
+  EXPECT_DOUBLE_EQ(of({ "1.5e2", "+2.25E+02" }), 1);
+  EXPECT_DOUBLE_EQ(of({ "1.250e-3" }), 1e-6);
+  EXPECT_DOUBLE_EQ(of({ "-.5" }), 1e-1);
+  EXPECT_DOUBLE_EQ(of({ "5." }), 1);
+  EXPECT_DOUBLE_EQ(of({ "3e4" }), 1e4);
+  EXPECT_EQ(of({ "1", "12", "-7", "0", "0.000", "0e0", "nan", "inf" }), 0);
+  EXPECT_EQ(of({}), 0);
+}
+
+TEST(Resolution, ComesWithTextsThatDontNameAType)
+{
+  for (const Format& format : formats())
+  {
+    SCOPED_TRACE(format.name);
+    const vtkSmartPointer<vtkPolyData> mesh = format.read(write(format.name, format.content));
+    vtkDataArray* unit = mesh->GetFieldData()->GetArray("SampleResolution");
+    const std::string name = format.name;
+    const bool isText = name == "pyramid.obj" || name == "pyramid.off" || name == "ascii.stl";
+    ASSERT_EQ(unit != nullptr, isText);
+    EXPECT_DOUBLE_EQ(unit ? unit->GetComponent(0, 0) : 1e-6, 1e-6); // as std::to_string writes
+  }
 }
