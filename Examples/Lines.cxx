@@ -53,6 +53,13 @@ bool hasDecimalComma(std::string_view word)
     (exponent == fraction.size() || isWhole(fraction.substr(exponent + 1)));
 }
 
+/// Without blanks at both ends.
+std::string_view trimmed(std::string_view text)
+{
+  const std::size_t begin = std::min(text.find_first_not_of(White), text.size());
+  return text.substr(begin, text.find_last_not_of(White) + 1 - begin);
+}
+
 std::string quoted(std::string_view text)
 {
   std::string shown(text.substr(0, 40));
@@ -134,11 +141,42 @@ void Lines::splitLine(std::string_view line)
   }
   forEachPiece(line, this->Division == Columns ? WhiteOrMark : White,
     [this](std::string_view word) { this->Words.push_back(word); });
+  if (this->Division == Columns)
+  {
+    this->noteCommas(line);
+  }
+}
+
+void Lines::noteCommas(std::string_view line)
+{
+  double number = 0;
+  const auto isReal = [&number](std::string_view word) { return parseReal(word, number); };
+  this->HasPoint = this->HasPoint ||
+    (line.find('.') != line.npos &&
+      std::any_of(this->Words.begin(), this->Words.end(),
+        [&](std::string_view word) { return word.find('.') != word.npos && isReal(word); }));
+  const bool isMany =
+    this->Words.size() > 3 && std::all_of(this->Words.begin(), this->Words.begin() + 4, isReal);
+  if (isMany && !this->Ambiguous && line.find(',') != line.npos &&
+    trimmed(line).find_first_of(WhiteOrSemicolon) == line.npos)
+  {
+    this->Ambiguous = this->error(quoted(line) +
+      " may be columns with commas between them or numbers with decimal commas; write decimal "
+      "points, or name the columns in a first line, as in x,y,z,a,b");
+  }
+}
+
+void Lines::refuseAmbiguousCommas() const
+{
+  if (this->Ambiguous && !this->HasPoint)
+  {
+    throw *this->Ambiguous;
+  }
 }
 
 /// A comma separates columns, as in 1,2,3 and in "1.5, 2.5, 3.5", unless the numbers are separated
-/// without it already, as in "1,5 2,5 3,5" and in 1,5;2,5;3,5. In 0,05,1,25,2,75 the zero at the
-/// beginning of 05 tells.
+/// without it already, as in "1,5 2,5 3,5", in "1,5, 2,5, 3,5" and in 1,5;2,5;3,5. In 0,05,1,25,2,75 the
+/// zero at the beginning of 05 tells.
 void Lines::refuseDecimalCommas(std::string_view line) const
 {
   if (line.find(',') == line.npos)
@@ -148,6 +186,7 @@ void Lines::refuseDecimalCommas(std::string_view line) const
   int place = 0;
   std::string_view found;
   forEachPiece(line, WhiteOrSemicolon, [&](std::string_view piece) {
+    piece.remove_suffix(piece.size() > 1 && piece.back() == ',' ? 1 : 0);
     found = ++place <= 3 && hasDecimalComma(piece) ? piece : found;
   });
   std::vector<std::string_view> pieces;

@@ -5,6 +5,7 @@
 #include "Errors.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,11 @@ public:
   /// Appends the next line to this one, without the backslash.
   void append();
 
+  /// In the style Columns: to be called at the end, unless the file names its columns.
+  /// @throw InputError  no number of the file had a decimal point, and a line with only commas between more
+  ///                    than three whole numbers, as 1,5,2,5,3,5, may mean either
+  void refuseAmbiguousCommas() const;
+
   const std::vector<std::string_view>& words() const { return this->Words; }
 
   /// The first byte after this line.
@@ -66,6 +72,7 @@ private:
   std::string_view takeLine();
   void splitLine(std::string_view line);
   void refuseDecimalCommas(std::string_view line) const;
+  void noteCommas(std::string_view line);
 
   std::string File;
   std::string_view Text;
@@ -74,6 +81,8 @@ private:
   long Number;    ///< of the current line
   std::string_view Line;
   std::vector<std::string_view> Words;
+  bool HasPoint = false;               ///< in a number so far
+  std::optional<InputError> Ambiguous; ///< about the first line whose commas may mean either
 };
 
 /// Reads a whole word as a decimal number, NaN or infinity. False if it isn't one.

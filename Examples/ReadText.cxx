@@ -119,6 +119,7 @@ vtkSmartPointer<vtkPolyData> readOff(const std::string& file)
     nextOf(lines, i, faces, " faces");
     takeFace(lines, polygons, points);
   }
+  lines.refuseAmbiguousCommas();
   if (lines.next())
   {
     throw lines.error("there are more lines than the " + std::to_string(points) + " points and " +
@@ -139,7 +140,8 @@ vtkSmartPointer<vtkPolyData> readXyz(const std::string& file)
   {
     more = lines.next();
   }
-  else if (more && namesColumns(lines))
+  const bool isNamed = count < 0 && more && namesColumns(lines);
+  if (isNamed)
   {
     more = lines.next();
   }
@@ -149,6 +151,10 @@ vtkSmartPointer<vtkPolyData> readXyz(const std::string& file)
     polygons.addPoint(lines.point(
       0, isFirst ? "x y z (delete this line if it is a header over columns x y z)" : "x y z"));
     polygons.noteWords(lines.words(), 0);
+  }
+  if (!isNamed)
+  {
+    lines.refuseAmbiguousCommas();
   }
   if (count >= 0 && count != polygons.points())
   {

@@ -230,6 +230,17 @@ class Inputs(ProgramTest):
             with self.subTest(name):
                 self.assertEqual(self.read("p.xyz", content), expected)
 
+    def test_commas_between_whole_numbers_are_columns_where_the_file_tells(self):
+        points = [(round(50 * x), round(50 * y), round(50 * z)) for x, y, z in POINTS]
+        expected = self.read("plain.xyz", rows(points))
+        for name, content in (("three", rows(points, ",")), ("blanks", rows(points, ", ")),
+                              ("a header", "x,y,z,r,g,b\n" + rows(points, ",", ",1,2,3\n")),
+                              ("semicolons", rows(points, ";", ";1;2\n")),
+                              ("a label", rows(points, ",", ",p.1\n")),
+                              ("points elsewhere", rows(points, ",", ",0,0.5\n"))):
+            with self.subTest(name):
+                self.assertEqual(self.read("p.xyz", content), expected)
+
     def test_text_that_misleads_is_refused(self):
         text = rows(POINTS)
         comma = text.replace(".", ",")
@@ -240,6 +251,11 @@ class Inputs(ProgramTest):
                 ("decimal commas, marks", comma.replace(" ", ";"), "line 1", "decimal comma"),
                 ("decimal commas, tabs", comma.replace(" ", "\t"), "line 1", "decimal comma"),
                 ("decimal commas, commas", "1,05,2,5,3,5\n", "line 1", "decimal comma"),
+                ("commas that may be either", "1,5,2,5,3,5\n" * 9, "line 1", "'1,5,2,5,3,5'",
+                 "name the columns"),
+                ("commas of some numbers", "1,2,3\n1,5,2,3\n", "line 2", "decimal commas"),
+                ("commas, blanks", comma.replace(" ", ", "), "line 1", "decimal comma"),
+                ("a count", "2\n1,5,2,5,3,5\n1,2,3\n", "line 2", "decimal commas"),
                 ("decimal commas and exponents", "1,5e3 2,5 3,5\n", "line 1", "decimal comma"),
                 ("two columns", text + "1 2\n", "line 301", "expected x y z"),
                 ("other columns", "id x y z\n" + text, "line 1", "header"),
