@@ -2,16 +2,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Random solids, whose topology is known, go through the whole chain.
 
-  random_solids.py [--seed S] [--first I] [--count N] [--seconds T] [--save DIR]
+  random_solids.py [--seed S] [--first I] [--count N] [--seconds T] [--save DIR] [--coarse]
 
 Solid I of seed S is a union of balls, boxes and tori, some with a bubble in it. Its boundary is sampled at
 random density, with noise of up to a tenth of the spacing. Its Betti numbers are those of the mesh that
 Flying Edges makes on a grid; a solid for which two grids disagree is left out.
 
 A solid is resolved if growing and shrinking it by a spacing doesn't change its topology. Then the power
-shape, the axis, the pruned axis and the surface must have its Betti numbers, without a fallback. In all
-cases the four must have the same, and the surface must be a closed manifold; or the verdict says that
-they don't. Prints each failure with the command that repeats it, and exits 1 if there was one.
+shape, the axis, the pruned axis and the surface should have its Betti numbers, and the surface be a closed
+manifold. If not, it counts as "wrong but said" where the verdict is "not certified": the samples are random,
+so some don't show the solid. What must not be, and ends the run with exit code 1:
+
+  error                an error instead of results
+  wrong and certified  a resolved solid is wrong, or the stages of any solid contradict each other, and the
+                       verdict is "certified"
+  fallback unsaid      the axis is the collapsed power shape, and no warning says so
+
+Each of these and each "wrong but said" is printed with the options that repeat it; the table of all outcomes
+comes last. A coarse solid, one that isn't resolved, is also wrong where its samples show another solid
+without a doubt; its row of the table says how often, and --coarse prints these too.
 """
 
 import argparse
@@ -213,14 +222,15 @@ def samples_of(solid, random):
 
 
 def simplified(samples, schedule):
-    """The Betti numbers of the four stages, and flags; or the error's message."""
+    """The Betti numbers of the four stages, and what is said of them; or the error's message."""
     places = vtkPoints()
     places.SetData(numpy_to_vtk(samples, deep=True))
     cloud = vtkPolyData()
     cloud.SetPoints(places)
     chain = vtkSimplifyShape()
-    chain.AddObserver("ErrorEvent", lambda *_: None)
-    chain.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    for each in (chain, chain.GetExecutive()):
+        each.AddObserver("ErrorEvent", lambda *_: None)
+        each.AddObserver("WarningEvent", lambda *_: None)
     chain.SetInputData(cloud)
     chain.SetSchedule(schedule)
     chain.Update()
@@ -229,6 +239,10 @@ def simplified(samples, schedule):
 
     def field(data, name):
         return tuple(int(x) for x in data.GetFieldData().GetArray(name).GetTuple(0))
+
+    def texts(data, name):
+        array = data.GetFieldData().GetAbstractArray(name)
+        return [array.GetValue(i) for i in range(array.GetNumberOfValues())] if array else []
 
     axis, surface = chain.GetMedialAxis().GetOutput(), chain.GetOutputDataObject(0)
     history = chain.GetOutputDataObject(3).GetColumnByName("Betti")
@@ -239,62 +253,92 @@ def simplified(samples, schedule):
         "pruned axis": (tuple(int(x) for x in history.GetTuple(last)) if last >= 0 else
                         field(axis, "BettiAxis")),
         "surface": field(surface, "BettiCrust"),
-        "certificate": field(axis, "Certificate")[0],
         "fallback": field(axis, "Fallback")[0],
         "closed manifold": field(surface, "Closed")[0] and field(surface, "Manifold")[0],
         "put back": field(surface, "PutBackBalls")[0],
+        "certified": texts(surface, "Verdict") == ["certified"],
+        "reasons": texts(surface, "VerdictReasons"),
+        "warnings": texts(surface, "WarningCode"),
     }
 
 
 STAGES = ("power shape", "axis", "pruned axis", "surface")
 
 
-def faults(result, truth, resolved):
-    """What must not be, in words, the stage first."""
+def contradictions(result):
+    """What contradicts something else of the result, in words."""
+    found = ["%s has %s, %s %s" % (stage, result[stage], before, result[before])
+             for before, stage in zip(STAGES, STAGES[1:]) if result[stage] != result[before]]
+    return found + ["surface is not a closed manifold"] * (not result["closed manifold"])
+
+
+def outcome_of(result, truth, resolved):
+    """The outcome's name in the table, and what is wrong, in words."""
     if isinstance(result, str):
-        return ["error: " + result]
-    found = []
-    if resolved:
-        found += ["%s has %s" % (stage, result[stage]) for stage in STAGES
-                  if result[stage] != truth][:1]
-        found += ["axis is the fallback"] * result["fallback"]
-    for before, stage in zip(STAGES, STAGES[1:]):
-        said = stage == "axis" and not result["certificate"]
-        if result[stage] != result[before] and not said:
-            found.append("%s has %s, %s %s" % (stage, result[stage], before, result[before]))
-    if not result["closed manifold"]:
-        found.append("surface is not a closed manifold")
-    return found
+        return "error", [result]
+    against = contradictions(result)
+    wrong = ["%s has %s" % (stage, result[stage]) for stage in STAGES if result[stage] != truth][:1] + against
+    if not result["certified"]:
+        said = ["said: " + reason for reason in result["reasons"]]
+        return ("wrong but said", wrong + said) if wrong else ("right but not certified", said)
+    if against or (wrong and resolved):
+        return "wrong and certified", wrong
+    return ("another solid", wrong) if wrong else ("right", [])
 
 
-def run(seed, number, counts, save):
-    """Tries one solid. Returns whether all is right."""
+FAILURES = ("error", "wrong and certified", "fallback unsaid")
+
+
+def run(seed, number, counts, save, coarse):
+    """Tries one solid and counts its outcomes."""
     random = numpy.random.default_rng([seed, number])
     solid = Solid(random)
-    coarse, fine = (solid.grid_distances(grid) for grid in GRIDS)
-    truth = betti_below(fine)
-    if betti_below(coarse) != truth or not truth[0]:  # or a bubble took all of it
-        counts["ambiguous"] += 1
-        return True
+    distances = [solid.grid_distances(grid) for grid in GRIDS]
+    truth = betti_below(distances[1])
+    if betti_below(distances[0]) != truth or not truth[0]:  # or a bubble took all of it
+        counts["left out"] += 1
+        return
     samples, spacing, noise = samples_of(solid, random)
     schedule = str(random.choice(SCHEDULES))
-    resolved = all(betti_below(fine, level) == truth for level in (-spacing, spacing))
+    kind = ("resolved" if all(betti_below(distances[1], level) == truth for level in (-spacing, spacing)) else
+            "coarse")
     result = simplified(samples, schedule)
-    found = faults(result, truth, resolved)
-    counts["resolved" if resolved else "coarse"] += 1
-    if not isinstance(result, str):
-        counts["with balls put back"] += result["put back"] > 0
-        counts["coarse and wrong"] += result["surface"] != truth and not resolved
-    if not found:
-        return True
-    counts["FAILED"] += 1
-    print("FAILED: --seed %d --first %d --count 1: %d samples, noise %.3f, schedule '%s', %s, true %s"
-          % (seed, number, len(samples), noise, schedule, "resolved" if resolved else "coarse", truth))
-    for text in found:
+    outcome, words = outcome_of(result, truth, kind == "resolved")
+    outcomes = [outcome]
+    if outcome != "error":
+        outcomes += ["balls put back"] * (result["put back"] > 0)
+        if result["fallback"]:
+            outcomes.append("fallback said" if "fallback" in result["warnings"] else "fallback unsaid")
+    for each in outcomes:
+        counts[kind, each] += 1
+    failed = any(each in FAILURES for each in outcomes)
+    counts["failed"] += failed
+    shown = failed or "fallback said" in outcomes or (
+        outcome != "right" and (coarse or (kind == "resolved" and outcome != "right but not certified")))
+    if not shown:
+        return
+    print("%s: --seed %d --first %d --count 1: %d samples, noise %.3f, schedule '%s', %s, true %s"
+          % ("FAILED" if failed else ", ".join(outcomes), seed, number, len(samples), noise, schedule, kind,
+             truth))
+    for text in (outcomes if failed else []) + words:
         print("    " + text, flush=True)
     if save:
         numpy.savetxt("%s/solid_%d_%d.xyz" % (save, seed, number), samples, fmt="%.17g")
-    return False
+
+
+OUTCOMES = ("right", "right but not certified", "wrong but said", "wrong and certified", "another solid",
+            "error")
+BESIDES = ("fallback said", "fallback unsaid", "balls put back")
+
+
+def print_table(solids, counts):
+    """The outcomes, of which each solid has one, and what happened besides."""
+    print("%d solids, %d of them left out" % (solids, counts["left out"]))
+    print("%-26s %9s %9s" % ("", "resolved", "coarse"))
+    rows = [("all", OUTCOMES)] + [(name, (name,)) for name in OUTCOMES + BESIDES]
+    for name, names in rows:
+        print("%-26s %9d %9d" % (name, *(sum(counts[kind, each] for each in names)
+                                         for kind in ("resolved", "coarse"))))
 
 
 def main():
@@ -303,19 +347,22 @@ def main():
     parser.add_argument("--first", type=int, default=0, metavar="I", help="the first solid")
     parser.add_argument("--count", type=int, default=sys.maxsize, metavar="N", help="solids at most")
     parser.add_argument("--seconds", type=float, default=float("inf"), help="time at most")
-    parser.add_argument("--save", metavar="DIR", help="where samples of failures go, as .xyz")
+    parser.add_argument("--save", metavar="DIR", help="where samples of what is printed go, as .xyz")
+    parser.add_argument("--coarse", action="store_true", help="prints the wrong ones of the coarse solids, too")
     arguments = parser.parse_args()
     if arguments.count == sys.maxsize and arguments.seconds == float("inf"):
         arguments.count = 20
     end = time.monotonic() + arguments.seconds
     counts = collections.Counter()
+    solids = 0
     for number in range(arguments.first, arguments.first + arguments.count):
         if time.monotonic() > end:
             break
-        run(arguments.seed, number, counts, arguments.save)
-        counts["solids"] += 1
-    print(", ".join("%s: %d" % pair for pair in sorted(counts.items())))
-    return 1 if counts["FAILED"] or not counts["resolved"] else 0
+        run(arguments.seed, number, counts, arguments.save, arguments.coarse)
+        solids += 1
+    print_table(solids, counts)
+    tried = any(counts[kind, name] for kind in ("resolved", "coarse") for name in OUTCOMES)
+    return 1 if counts["failed"] or not tried else 0
 
 
 if __name__ == "__main__":
