@@ -8,6 +8,7 @@
 #include "Conversion/TetrahedraChecks.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace medial
 {
@@ -85,7 +86,17 @@ void checkVolumes(const PolarBalls& balls)
   }
 }
 
-void checkSamplesOnBalls(const PolarBalls& balls, double size)
+/// How far a centre may be from where it was made. Far from the origin doubles themselves are coarse.
+double movedIn(const std::vector<Point>& samples)
+{
+  // The centre, the sample and their difference are rounded, in three coordinates.
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const Eigen::AlignedBox3d box = boundingBox(samples);
+  const double largest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  return moved * box.diagonal().norm() + rounding * largest;
+}
+
+void checkSamplesOnBalls(const PolarBalls& balls, double movedHere)
 {
   for (Index b = 0; b < count(balls.balls); ++b)
   {
@@ -98,7 +109,7 @@ void checkSamplesOnBalls(const PolarBalls& balls, double size)
     for (const Index sample : balls.ballSamples[b])
     {
       const double distance = (balls.samples[sample] - ball.center).norm();
-      if (!(std::abs(distance - ball.radius) <= moved * (size + ball.radius)))
+      if (!(std::abs(distance - ball.radius) <= movedHere + moved * ball.radius))
       {
         throw InvalidInput("sample ", sample, " isn't on ball ", b, " of radius ", ball.radius,
           " but ", distance, " from its centre, though the field array '", names::BallSamples,
@@ -131,7 +142,8 @@ void checkBalls(const PolarBalls& balls)
   checkPlaces(balls, frame);
   checkSides(balls);
   checkVolumes(balls);
-  checkSamplesOnBalls(balls, size);
+  const double movedHere = movedIn(balls.samples);
+  checkSamplesOnBalls(balls, movedHere);
   checkBallsOfSamples(balls, balls.innerBall, Side::Inner, names::SampleInnerBall);
   checkBallsOfSamples(balls, balls.outerBall, Side::Outer, names::SampleOuterBall);
   // Distances below `coincident` don't count for it. Far smaller ones would have the crust refined for ever.
@@ -141,6 +153,6 @@ void checkBalls(const PolarBalls& balls)
       "; only numbers from ", coincident / frame.scale, " to ", size,
       ", the diagonal of the samples' bounding box, can be there: ", TakePolarBalls);
   }
-  checkTetrahedra(balls, moved * size, moved);
+  checkTetrahedra(balls, movedHere, moved);
 }
 }

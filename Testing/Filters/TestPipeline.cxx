@@ -89,6 +89,19 @@ TEST(Pipeline, GivesTheSameThroughFilesAtEveryStage)
   EXPECT_TRUE(same(resumed.crust->GetOutput(), direct.crust->GetOutput()));
 }
 
+TEST(Pipeline, TakesItsOwnBallsHoweverFarAway)
+{
+  // Doubles near 1e12 are 1e-4 apart, and so are the centres of balls.
+  for (const double distance : { 1e6, 1e9, 1e12 })
+  {
+    SCOPED_TRACE(distance);
+    Pipeline pipeline(
+      cloud(shapes::moved(shapes::sphere().samples, distance * medial::Point(1, -0.4, 0.7))));
+    pipeline.crust->Update();
+    EXPECT_EQ(betti(pipeline.crust->GetOutput(), "BettiCrust"), (Numbers{ 1, 0, 0 }));
+  }
+}
+
 TEST(Pipeline, GivesTheSameTwice)
 {
   Pipeline first(cloud(smallBox().samples)), second(cloud(smallBox().samples));
