@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -187,5 +188,14 @@ TEST(CollectParts, RefusesPartsWithFractions)
   all.Collect->SetInputData(1, blocks);
   const std::string error = filterTest::onlyError(all.Collect);
   EXPECT_NE(error.find("'PartId' must hold whole numbers"), std::string::npos) << error;
+}
+
+TEST(CollectParts, PrintsItself)
+{
+  std::ostringstream text;
+  vtkNew<vtkCollectParts> collect;
+  collect->UniquePartIdsOn();
+  collect->Print(text);
+  EXPECT_NE(text.str().find("\n  UniquePartIds: on\n"), std::string::npos);
 }
 }

@@ -86,6 +86,19 @@ TEST(MedialPrune, TakesAScheduleInWords)
   EXPECT_EQ(prune->GetNumberOfIterations(), 0);
 }
 
+TEST(MedialPrune, DescribesEachMeasureAndNoOther)
+{
+  int measure = 0;
+  for (; vtkMedialPrune::GetMeasureName(measure); ++measure)
+  {
+    EXPECT_NE(std::string(vtkMedialPrune::GetMeasureDescription(measure)), "");
+    EXPECT_NE(vtkMedialPrune::GetMeasureWord(measure), "");
+  }
+  EXPECT_EQ(vtkMedialPrune::GetMeasureDescription(measure), nullptr);
+  EXPECT_EQ(vtkMedialPrune::GetMeasureUnit(measure), nullptr);
+  EXPECT_EQ(vtkMedialPrune::GetMeasureWord(measure), "");
+}
+
 TEST(MedialPrune, TellsTheWordsInItsHistory)
 {
   vtkNew<vtkMedialPrune> prune;

@@ -106,6 +106,20 @@ TEST(SimplifyShape, PassesItsPropertiesOn)
   EXPECT_TRUE(same(simplify->GetOutputDataObject(2), parts->GetOutputDataObject(1)));
 }
 
+TEST(SimplifyShape, PassesItsScheduleOn)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetSchedule("t5 v1%");
+  EXPECT_EQ(simplify->GetScheduleWords(), "t5 v1%");
+  simplify->ClearIterations();
+  simplify->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, 3, 1);
+  simplify->AddIterationByName("TriangleCount", 4, 2);
+  simplify->AddIterationFromText("TriangleCount", "5", "1");
+  EXPECT_EQ(simplify->GetScheduleWords(), "t3x1 t4x2 t5x1");
+  simplify->SetMergeTolerance(0.25);
+  EXPECT_EQ(simplify->GetMergeTolerance(), 0.25);
+}
+
 TEST(SimplifyShape, MakesTheUnprunedPartsAndCrustWhenAsked)
 {
   vtkNew<vtkSimplifyShape> simplify;

@@ -8,6 +8,7 @@
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
@@ -232,6 +233,29 @@ TEST(OpenSurface, MayBeOfAnyKindOfCells)
   filter->Update();
   ASSERT_EQ(log.messages().size(), 2u);
   EXPECT_NE(log.messages()[1].find("open: 4 edges"), std::string::npos) << log.messages()[1];
+}
+
+TEST(OpenSurface, IsNoneOfPixelsAllAround)
+{
+  // The points of a pixel are in the order of a grid, not around it.
+  vtkSmartPointer<vtkPolyData> cube = gridCube(true);
+  vtkNew<vtkCellArray> pixels;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < cube->GetNumberOfCells(); ++cell)
+  {
+    cube->GetCellPoints(cell, corners);
+    const vtkIdType pixel[] = { corners->GetId(0), corners->GetId(1), corners->GetId(3),
+      corners->GetId(2) };
+    pixels->InsertNextCell(4, pixel);
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(cube->GetPoints());
+  grid->SetCells(VTK_PIXEL, pixels);
+  vtkNew<vtkPolarBalls> filter;
+  filter->SetInputData(grid);
+  const ErrorLog log(filter, vtkCommand::WarningEvent);
+  filter->Update();
+  EXPECT_TRUE(log.messages().empty()) << testing::PrintToString(log.messages());
 }
 
 TEST(Verdict, IsCertifiedForTheBox)

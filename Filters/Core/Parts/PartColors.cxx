@@ -18,12 +18,11 @@ constexpr double firstHue = 0.12; ///< in turns
 constexpr std::array<double, 3> lightnesses = { 66, 52, 78 };
 constexpr std::array<double, 3> grey = { 0.75, 0.75, 0.75 };
 
-/// The inverse of the function by which L*a*b* compresses the shares of the white point.
+/// The inverse of the function by which L*a*b* compresses the shares of the white point. No colour of
+/// ours is so dark that its linear part, below 6 / 29, would be needed.
 double expanded(double value)
 {
-  const double linearBelow = 6.0 / 29;
-  return value > linearBelow ? value * value * value
-                             : 3 * linearBelow * linearBelow * (value - 4.0 / 29);
+  return value * value * value;
 }
 
 /// What a screen gets for an intensity of light.

@@ -283,6 +283,16 @@ TEST(Pruning, RefusesThresholdsThatAreNoNumbers)
   }
 }
 
+TEST(Pruning, RefusesNeckRatiosThatAreNoShares)
+{
+  PruneOptions options;
+  for (const double bad : { -0.1, 1.1, std::numeric_limits<double>::quiet_NaN() })
+  {
+    options.neckRatio = bad;
+    EXPECT_THROW(medial::prune(complexes::cycleWithLoop().axis(), options), medial::InvalidInput);
+  }
+}
+
 TEST(Pruning, RefusesCellsThatAreNotThere)
 {
   const MedialAxis axis = complexes::cycleWithLoop().axis();
