@@ -14,7 +14,7 @@ struct Input
   vtkIdType invalid = 0; ///< points left out, because a coordinate is NaN or infinite
 };
 
-/// The points of a .ply .stl .obj .vtp .vtu .off or .xyz file, and the polygons of a .ply .stl .obj .off.
+/// The points of a .ply .stl .obj .vtp .vtu .off or .xyz file, and its polygons. These name existing points.
 ///
 /// @param dropInvalid  leave points with a coordinate that is NaN or infinite out
 /// @throw InputError  the file can't be read, or has such points that must not be left out; says why

@@ -4,100 +4,114 @@
 #include "ChildProcess.h"
 #include "Errors.h"
 #include "Messages.h"
+#include "SurfaceBytes.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataArraySelection.h>
 #include <vtkErrorCode.h>
 #include <vtkNew.h>
-#include <vtkPointSet.h>
-#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-#include <cstring>
 #include <filesystem>
 #include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace
 {
-/// The coordinates as bytes, with 'f' or 'd' before them.
-std::string bytesOf(vtkPoints* points)
-{
-  const int type = points->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE;
-  vtkNew<vtkPoints> copy; // in plain order, and not of integers
-  copy->SetDataType(type);
-  copy->DeepCopy(points);
-  vtkDataArray* values = copy->GetData();
-  const std::size_t size = static_cast<std::size_t>(values->GetNumberOfValues()) *
-    static_cast<std::size_t>(values->GetDataTypeSize());
-  std::string bytes(1 + size, type == VTK_FLOAT ? 'f' : 'd');
-  if (size > 0)
-  {
-    std::memcpy(&bytes[1], values->GetVoidPointer(0), size);
-  }
-  return bytes;
-}
+/// The cells of a piece of a file, and their announced number.
+using Announced = std::pair<vtkXMLDataElement*, vtkIdType>;
 
-vtkSmartPointer<vtkPolyData> pointsOf(const std::string& bytes)
-{
-  const int type = bytes[0] == 'f' ? VTK_FLOAT : VTK_DOUBLE;
-  vtkNew<vtkPoints> points;
-  points->SetDataType(type);
-  const std::size_t size = 3 * (type == VTK_FLOAT ? sizeof(float) : sizeof(double));
-  points->SetNumberOfPoints(static_cast<vtkIdType>((bytes.size() - 1) / size));
-  if (bytes.size() > 1)
-  {
-    std::memcpy(points->GetVoidPointer(0), &bytes[1], bytes.size() - 1);
-  }
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(points);
-  return result;
-}
-
-/// A reader that also notices what VTK's leaves out without a word: points beyond the number that the file
-/// announces.
+/// A reader that also notices what VTK's leaves out without a word: points and cells beyond the number that the
+/// file announces.
 template <typename Reader>
-class WholePoints : public Reader
+class WholeReader : public Reader
 {
 public:
-  static WholePoints* New()
+  static WholeReader* New()
   {
-    auto* result = new WholePoints;
+    auto* result = new WholeReader;
     result->InitializeObjectBase();
     return result;
   }
 
-  /// Set if there are more points: the announced number.
-  std::optional<vtkIdType> exceeded;
+  /// Empty if there are no more; else what of, and their announced number.
+  std::string exceeded;
 
 protected:
   int ReadPieceData() override
   {
     const int isRead = Reader::ReadPieceData();
-    const vtkIdType count = this->NumberOfPoints[this->Piece];
     vtkXMLDataElement* points = this->PointElements[this->Piece];
-    int type = VTK_VOID;
-    if (isRead && points && points->GetNumberOfNestedElements() == 1 &&
-      points->GetNestedElement(0)->GetWordTypeAttribute("type", type))
+    if (isRead && points && points->GetNumberOfNestedElements() == 1)
     {
-      const auto next = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
-      next->SetNumberOfValues(1);
-      const bool isMore = this->ReadArrayValues(points->GetNestedElement(0), 0, next, 3 * count, 1);
-      this->exceeded = isMore ? count : this->exceeded;
+      const vtkIdType count = this->NumberOfPoints[this->Piece];
+      this->check("points than NumberOfPoints", points->GetNestedElement(0), 3, count);
+    }
+    for (const auto& [cells, count] : this->surfaceCells())
+    {
+      if (isRead && cells && count >= 0)
+      {
+        vtkXMLDataElement* offsets = this->FindDataArrayWithName(cells, "offsets");
+        this->check("cells than announced", offsets, 1, count);
+        const double end = count > 0 ? this->value(offsets, count - 1).value_or(0) : 0;
+        this->check("corners of cells than their offsets tell",
+          this->FindDataArrayWithName(cells, "connectivity"), 1, static_cast<vtkIdType>(end));
+      }
     }
     return isRead;
+  }
+
+private:
+  std::vector<Announced> surfaceCells() const
+  {
+    if constexpr (std::is_same_v<Reader, vtkXMLPolyDataReader>)
+    {
+      return { { this->PolyElements[this->Piece], this->NumberOfPolys[this->Piece] },
+        { this->StripElements[this->Piece], this->NumberOfStrips[this->Piece] } };
+    }
+    else
+    {
+      return { { this->CellElements[this->Piece], this->NumberOfCells[this->Piece] } };
+    }
+  }
+
+  /// Nothing if the array has no such value.
+  std::optional<double> value(vtkXMLDataElement* array, vtkIdType place)
+  {
+    int type = VTK_VOID;
+    if (!array || !array->GetWordTypeAttribute("type", type))
+    {
+      return {};
+    }
+    const auto found = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+    found->SetNumberOfValues(1);
+    const bool isThere = this->ReadArrayValues(array, 0, found, place, 1) != 0;
+    return isThere ? std::optional(found->GetComponent(0, 0)) : std::nullopt;
+  }
+
+  /// Is there something in the array beyond `count` tuples?
+  void check(const char* what, vtkXMLDataElement* array, vtkIdType components, vtkIdType count)
+  {
+    if (this->exceeded.empty() && this->value(array, components * count))
+    {
+      this->exceeded = std::string(what) + ", " + std::to_string(count);
+    }
   }
 };
 
 template <typename Reader>
 std::string read(const std::string& file)
 {
-  vtkNew<WholePoints<Reader>> reader;
+  vtkNew<WholeReader<Reader>> reader;
   reader->SetFileName(file.c_str());
   reader->UpdateInformation();
-  reader->GetPointDataArraySelection()->DisableAllArrays(); // only the points are wanted
+  reader->GetPointDataArraySelection()->DisableAllArrays(); // only points and cells are wanted
   reader->GetCellDataArraySelection()->DisableAllArrays();
   reader->Update();
   if (!messages::error().empty())
@@ -108,13 +122,11 @@ std::string read(const std::string& file)
   {
     throw InputError(vtkErrorCode::GetStringFromErrorCode(reader->GetErrorCode()));
   }
-  if (reader->exceeded)
+  if (!reader->exceeded.empty())
   {
-    throw InputError("there are more points than NumberOfPoints, " +
-      std::to_string(*reader->exceeded) + "; correct it");
+    throw InputError("there are more " + reader->exceeded + "; correct it");
   }
-  vtkPoints* points = reader->GetOutput() ? reader->GetOutput()->GetPoints() : nullptr;
-  return points ? bytesOf(points) : "d";
+  return bytesOf(reader->GetOutput());
 }
 
 template <typename Reader>
@@ -137,7 +149,7 @@ vtkSmartPointer<vtkPolyData> readApart(const std::string& file)
   {
     throw InputError(file + ": can't be read: " + result.text);
   }
-  return pointsOf(result.text);
+  return surfaceOf(file, result.text);
 }
 }
 

@@ -6,6 +6,7 @@
 """
 
 import csv
+import itertools
 import json
 import math
 import os
@@ -17,6 +18,7 @@ import unittest
 
 from check_inputs import Inputs  # what the program reads and refuses; run with the rest
 from check_outputs import Outputs  # whole results or none; run with the rest
+from input_files import xml
 from program_test import PROGRAM, ProgramTest, ellipsoid, torus
 
 __all__ = ["Inputs", "Outputs", "SimplifyShape"]
@@ -205,17 +207,21 @@ class SimplifyShape(ProgramTest):
         self.check_warnings(report, done)
 
     def test_open_surface_is_warned_of(self):
-        """A cube of squares, as .obj, whole and without its lid."""
-        for sides, warned in ((6, []), (5, [("open_surface", 48)])):
-            text = "".join("v %r %r %r\n" % tuple(point) for point in grid_cube(12, sides))
-            text += "".join("f %d %d %d %d\n" % square for square in grid_squares(12, sides))
-            out = self.path("cube%d" % sides)
-            done = self.run_program(self.write("cube.obj", text), "--output", out)
+        """A cube of squares, whole and without its lid."""
+        for sides, name in itertools.product((6, 5), ("cube.obj", "cube.vtp", "cube.vtu")):
+            points, squares = list(grid_cube(12, sides)), list(grid_squares(12, sides))
+            text = "".join("v %r %r %r\n" % tuple(point) for point in points)
+            text += "".join("f %d %d %d %d\n" % square for square in squares)
+            if name != "cube.obj":
+                kind = "PolyData" if name == "cube.vtp" else "UnstructuredGrid"
+                text = xml(kind, points, cells=[[c - 1 for c in square] for square in squares])
+            out = self.path("%s%d" % (name, sides))
+            done = self.run_program(self.write(name, text), "--output", out)
             self.assertEqual(done.returncode, 0, done.stderr)
             with open(os.path.join(out, "report.json")) as file:
                 report = json.load(file)
             found = [warning for warning in report["warnings"] if warning["code"] == "open_surface"]
-            self.assertEqual([(warning["code"], warning["count"]) for warning in found], warned)
+            self.assertEqual([warning["count"] for warning in found], [] if sides == 6 else [48])
             for warning in found:
                 self.assertEqual(warning["place"][2], 1)
             self.check_warnings(report, done)

@@ -8,70 +8,11 @@ import resource
 import struct
 import subprocess
 
+from input_files import (FACES, XYZ, ascii_ply, ascii_stl, binary_ply, binary_stl, ply_header, rows, triples,
+                         xml)
 from program_test import PROGRAM, ProgramTest, ellipsoid, torus
 
 POINTS = ellipsoid(300)
-XYZ = "property double x\nproperty double y\nproperty double z\n"
-FACES = "property list uchar int vertex_indices\n"
-
-
-def rows(points, separator=" ", end="\n"):
-    return "".join(separator.join("%.17g" % c for c in point) + end for point in points)
-
-
-def ply_header(elements, kind="ascii", end="\n"):
-    """The header for (name, number of rows, properties)."""
-    text = "ply\nformat %s 1.0\ncomment made by a test\n" % kind
-    for name, count, properties in elements:
-        text += "element %s %s\n%s" % (name, count, properties)
-    return (text + "end_header\n").replace("\n", end)
-
-
-def ascii_ply(count, body, properties=XYZ, more=()):
-    return ply_header([("vertex", count, properties), *more]) + body
-
-
-def binary_ply(byte_order, letter, points, count=None, more=(), tail=b"", end="\n"):
-    """byte_order: as in struct, < or >; letter: f or d."""
-    name = {"f": "float", "d": "double"}[letter]
-    kind = {"<": "binary_little_endian", ">": "binary_big_endian"}[byte_order]
-    vertex = ("vertex", len(points) if count is None else count, XYZ.replace("double", name))
-    body = b"".join(struct.pack(byte_order + "3" + letter, *point) for point in points)
-    return ply_header([vertex, *more], kind, end).encode() + body + tail
-
-
-def binary_stl(triangles, count=None, text=b"solid made by a test"):
-    return text.ljust(80) + struct.pack("<I", len(triangles) if count is None else count) + b"".join(
-        struct.pack("<12fH", 0, 0, 0, *a, *b, *c, 0) for a, b, c in triangles)
-
-
-def ascii_stl(triangles):
-    text = "solid made by a test\n"
-    for triangle in triangles:
-        text += "facet normal 0 0 0\n outer loop\n"
-        text += "".join("  vertex " + row + "\n" for row in rows(triangle).splitlines())
-        text += " endloop\nendfacet\n"
-    return text + "endsolid\n"
-
-
-def xml(kind, points, numbers=None, cells="0", components="3", number="Float64"):
-    """A .vtp (PolyData) or .vtu (UnstructuredGrid) file as text."""
-    def array(type_, name, text="", more=""):
-        return '<DataArray type="%s" Name="%s" format="ascii"%s>%s</DataArray>' % (
-            type_, name, more, text)
-
-    return ('<?xml version="1.0"?><VTKFile type="{0}" version="0.1"><{0}><Piece NumberOfPoints="{1}" '
-            'NumberOfCells="{2}" NumberOfPolys="{2}"><Points>{3}</Points><{4}>{5}</{4}></Piece></{0}>'
-            '</VTKFile>').format(
-                kind, len(points) if numbers is None else numbers, cells,
-                array(number, "Points", rows(points), ' NumberOfComponents="%s"' % components),
-                "Polys" if kind == "PolyData" else "Cells", array("Int64", "connectivity") +
-                array("Int64", "offsets") + array("UInt8", "types"))
-
-
-def triples(points):
-    """Triangles with all the points as corners."""
-    return [(points[i], points[i + 1], points[i + 2]) for i in range(len(points) - 2)]
 
 
 class Inputs(ProgramTest):
@@ -379,12 +320,18 @@ class Inputs(ProgramTest):
             for number in ("Float32", "Float64"):
                 self.refuse(name, xml(kind, POINTS, "299", number=number), "NumberOfPoints", "299")
 
+    def test_cells_in_xml_that_name_no_points_are_refused(self):
+        cells = [(0, 1, 2), (2, 3, 300)]
+        for kind, name in (("PolyData", "p.vtp"), ("UnstructuredGrid", "p.vtu")):
+            self.refuse(name, xml(kind, POINTS, cells=cells), "names point 300", "300")
+            self.refuse(name, xml(kind, POINTS, cells=cells[:1], count=0), "more cells")
+
     def test_damage_that_upsets_the_readers_of_vtk_is_refused(self):
         """On these VTK 9.1's readers crash, run away, or ask for terabytes."""
         for kind, name in (("PolyData", "p.vtp"), ("UnstructuredGrid", "p.vtu")):
             for content in (
                     xml(kind, POINTS, "99999999999999"), xml(kind, POINTS, "-1"),
-                    xml(kind, POINTS, cells="99999999999999"),
+                    xml(kind, POINTS, count="99999999999999"),
                     xml(kind, POINTS, components="18446744073709551616"),
                     xml(kind, POINTS, "301"), xml(kind, POINTS)[:9000],
                     xml(kind, POINTS).replace("0.", "zz"), xml(kind, [])):
