@@ -2,6 +2,7 @@
 #include "Balls/ContestedBalls.h"
 
 #include "Balls/MarkedBetti.h"
+#include "Base/BettiWords.h"
 #include "Base/Errors.h"
 
 #include <algorithm>
@@ -10,11 +11,6 @@ namespace medial
 {
 namespace
 {
-std::string inWords(const Betti& betti)
-{
-  return text("pieces ", betti[0], ", tunnels ", betti[1], ", voids ", betti[2]);
-}
-
 std::vector<char> marked(
   const std::vector<Side>& sides, const std::vector<char>& contested, Side whereContested)
 {

@@ -7,6 +7,7 @@
 #include "Balls/StraySamples.h"
 #include "Balls/SurfaceGaps.h"
 #include "Balls/ThinFeatures.h"
+#include "Base/BettiWords.h"
 #include "Base/Errors.h"
 #include "Base/Lists.h"
 #include "Base/Neighbors.h"
@@ -105,8 +106,8 @@ Warnings proportion(const Betti& betti, Index sampleCount)
     return {};
   }
   return { { "too_many_features",
-    text("There are only ", sampleCount, " samples for pieces ", betti[0], ", tunnels ", betti[1],
-      ", voids ", betti[2], ". Sample the solid more densely."),
+    text("There are only ", sampleCount, " samples for ", inWords(betti),
+      ". Sample the solid more densely."),
     features, {}, true } };
 }
 

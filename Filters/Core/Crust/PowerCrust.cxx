@@ -3,6 +3,7 @@
 
 #include "Balls/MarkedBetti.h"
 #include "Base/BallTree.h"
+#include "Base/BettiWords.h"
 #include "Base/Errors.h"
 #include "Base/Frame.h"
 #include "Base/Triangulations.h"
@@ -83,12 +84,6 @@ double largestClearance(const PowerDiagram& diagram, const BallTree& innerBalls,
   return largest;
 }
 
-std::string inWords(const Betti& betti)
-{
-  return std::to_string(betti[0]) + " pieces, " + std::to_string(betti[1]) + " tunnels and " +
-    std::to_string(betti[2]) + " voids";
-}
-
 /// That the surface contradicts the axis, if it does.
 Warnings topologyWarnings(
   const Crust& crust, const std::optional<Betti>& topology, const std::optional<Point>& place)
@@ -97,9 +92,9 @@ Warnings topologyWarnings(
   {
     return {};
   }
-  return { { "crust-topology",
-    "the surface encloses a solid of " + inWords(crust.betti) + ", but its axis has " +
-      inWords(*topology) + ": prune less there, or give more samples with less noise",
+  return { { "crust_topology",
+    "The surface encloses a solid of " + inWords(crust.betti) + ", but its axis has " +
+      inWords(*topology) + ". Prune less there, or give more samples with less noise.",
     bettiDistance(crust.betti, *topology), place } };
 }
 

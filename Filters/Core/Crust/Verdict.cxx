@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Crust/Verdict.h"
 
+#include "Base/BettiWords.h"
 #include "Base/Errors.h"
 
 #include <utility>
@@ -9,19 +10,7 @@ namespace medial
 {
 namespace
 {
-/// "1 piece", "2 pieces".
-std::string counted(Index number, const char* thing)
-{
-  return text(number, " ", thing, number == 1 ? "" : "s");
-}
-
-std::string inWords(const Betti& betti)
-{
-  return counted(betti[0], "piece") + ", " + counted(betti[1], "tunnel") + ", " +
-    counted(betti[2], "void");
-}
-
-/// A stage, and the Betti numbers of its result.
+/// A stage, with its article, and the Betti numbers of its result.
 struct Topology
 {
   const char* stage;
@@ -34,7 +23,7 @@ std::vector<std::string> differences(const Topology& before, const Topology& aft
   {
     return {};
   }
-  return { text("the ", after.stage, " has ", inWords(after.betti), ", but the ", before.stage, " ",
+  return { text(after.stage, " has ", inWords(after.betti), ", but ", before.stage, " ",
     inWords(before.betti)) };
 }
 
@@ -49,7 +38,7 @@ std::vector<std::string> faults(const Findings& findings, const Topology& source
   {
     return { "the surface is not a manifold" };
   }
-  return differences(source, { "surface", findings.crust });
+  return differences(source, { "the surface", findings.crust });
 }
 
 /// One reason, which names the warnings.
@@ -77,17 +66,17 @@ void append(const std::vector<std::string>& from, std::vector<std::string>& to)
 
 Verdict verdict(const Findings& findings)
 {
-  const Topology powerShape{ "power shape", findings.powerShape };
+  const Topology powerShape{ "the power shape", findings.powerShape };
   std::vector<std::string> against;
   std::vector<std::string> allowed;
   if (findings.solid)
   {
-    append(differences({ "solid given", *findings.solid }, powerShape), against);
+    append(differences({ "the solid given", *findings.solid }, powerShape), against);
   }
   if (findings.axis)
   {
-    const Topology axis{ "axis", findings.axis->unpruned };
-    const Topology pruned{ "pruned axis", findings.axis->pruned };
+    const Topology axis{ "the axis", findings.axis->unpruned };
+    const Topology pruned{ "the pruned axis", findings.axis->pruned };
     append(differences(powerShape, axis), against);
     append(differences(axis, pruned), findings.axis->topologyKept ? against : allowed);
     append(faults(findings, pruned), against);
