@@ -75,6 +75,8 @@ circles() { .ci/check_includes.py circles; }
 
 folders_without_list() { .ci/check_includes.py folders; }
 
+warnings_without_row() { .ci/check_warnings.py; }
+
 stale_picture() { .ci/draw_stages.py --check; }
 
 not_ascii()
@@ -99,6 +101,7 @@ rule "filters contain no loops; they belong in Conversion or the core" loops_in_
 rule "a stage of the core includes only itself and stages before it" later_stages
 rule "includes form no circle" circles
 rule "README.md and CMakeLists.txt of a stage name all that is in its folder" folders_without_list
+rule "the table of Filters/README.md has all codes of warnings" warnings_without_row
 rule "Filters/stages.svg is what .ci/draw_stages.py draws" stale_picture
 rule "a function has at most 60 lines" long_functions
 rule "a class has at most 200 lines without comments" long_classes

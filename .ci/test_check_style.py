@@ -135,6 +135,17 @@ class StyleCheck(unittest.TestCase):
         self.expect("README.md and CMakeLists.txt of a stage name all that is in its folder",
                     "Filters/Core/Attic is not in the list of stages in Filters/Core/CMakeLists.txt")
 
+    def test_a_warning_is_missing_in_the_table(self):
+        self.write("Filters/README.md", "| code | | what |\n|---|---|---|\n| `gone` | | a |\n| `told` | | b |\n")
+        self.write("Filters/Core/Axis/OneAxis.cxx", header("Axis/OneAxis.h", "Base/OneBase.h") +
+                   'Warnings a{ { "told", "A." } };\nWarning b{ "one_more", "B." };\n'
+                   'Warning c;\nvoid d()\n{\n  c.code = "last";\n}\n')
+        self.draw()
+        self.expect("the table of Filters/README.md has all codes of warnings",
+                    "Filters/Core/Axis/OneAxis.cxx: Filters/README.md has no row for the warning last",
+                    "Filters/Core/Axis/OneAxis.cxx: Filters/README.md has no row for the warning one_more",
+                    "Filters/README.md: nothing warns of gone")
+
     def test_the_picture_is_out_of_date(self):
         self.write("Filters/Core/Parts/OneParts.h", header("Balls/OneBalls.h"))
         self.expect("Filters/stages.svg is what .ci/draw_stages.py draws",

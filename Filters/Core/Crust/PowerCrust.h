@@ -29,7 +29,7 @@ struct Crust
     0;               ///< largest distance of a point that is no sample to the union of the
                      ///< kept balls and those put back, in sample spacings; 0 where none is
                      ///< outside
-  Warnings warnings; ///< "crust-topology": other Betti numbers than CrustOptions::topology
+  Warnings warnings; ///< "crust_topology": other Betti numbers than CrustOptions::topology
 };
 
 /// The power crust of the inner balls with keep[ball] != 0 and the outer balls.

@@ -151,7 +151,7 @@ TEST(PuttingBack, ThePapersRulesPutNothingBackButSaySo)
       ASSERT_EQ(crust.warnings.size(), crust.betti == wanted ? 0u : 1u);
       for (const medial::Warning& warning : crust.warnings)
       {
-        EXPECT_EQ(warning.code, "crust-topology");
+        EXPECT_EQ(warning.code, "crust_topology");
         EXPECT_EQ(warning.count, medial::bettiDistance(crust.betti, wanted));
         ++told;
       }
@@ -174,7 +174,7 @@ TEST(PuttingBack, SaysWhereItCannotHelp)
     ASSERT_EQ(crust.warnings.size(), crust.betti == wanted ? 0u : 1u);
     for (const medial::Warning& warning : crust.warnings)
     {
-      EXPECT_EQ(warning.code, "crust-topology");
+      EXPECT_EQ(warning.code, "crust_topology");
       EXPECT_EQ(warning.count, medial::bettiDistance(crust.betti, wanted));
       EXPECT_FALSE(warning.doubtsSolid);
       const auto isPlace = [&](const medial::Ball& ball) { return ball.center == warning.place; };
