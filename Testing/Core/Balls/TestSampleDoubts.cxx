@@ -25,9 +25,10 @@ using pipelines::Pipeline;
 
 namespace
 {
-Warnings warningsOf(const std::vector<Point>& samples, const medial::Execution& execution = {})
+Warnings warningsOf(const std::vector<Point>& samples, const medial::Execution& execution = {},
+  const medial::MergeOptions& merging = {})
 {
-  return medial::polarBallsAndSamples(samples, {}, execution).samples.warnings;
+  return medial::polarBallsAndSamples(samples, merging, execution).samples.warnings;
 }
 
 std::set<std::string> codes(const Warnings& warnings)
@@ -201,10 +202,13 @@ TEST(SampleDoubts, AGapAsNarrowAsTheSpacingIsARemark)
   EXPECT_FALSE(doubtsSolid(found));
 }
 
-TEST(SampleDoubts, NearDuplicatesAreARemark)
+TEST(SampleDoubts, NearDuplicatesThatAreNotMergedAreARemark)
 {
   const std::vector<Point> sphere = shapes::sphere().samples;
-  const Warnings found = warningsOf(joined(sphere, shapes::moved(sphere, Point(1e-5, 0, 0))));
+  medial::MergeOptions none;
+  none.tolerance = 0;
+  const Warnings found =
+    warningsOf(joined(sphere, shapes::moved(sphere, Point(1e-5, 0, 0))), {}, none);
   EXPECT_EQ(warning(found, "clustered_samples").count, 2 * medial::count(sphere));
 }
 
