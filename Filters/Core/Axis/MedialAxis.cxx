@@ -173,7 +173,7 @@ MedialAxis medialAxis(
   MedialAxis axis = axisFromSites(polarBalls, shape, execution.between(0.1, 0.9));
   if (axis.betti != shape.betti && options.fallback == AxisFallback::Collapse)
   {
-    axis = axisOf(collapsedShape(polarBalls, shape));
+    axis = axisOf(collapsedShape(polarBalls, shape, execution));
     axis.betti = bettiNumbers(axis.cells);
     axis.fallback = true;
     axis.kappa = -1;

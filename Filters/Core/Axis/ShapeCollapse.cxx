@@ -1,176 +1,82 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/ShapeCollapse.h"
 
+#include "Axis/FacePolygon.h"
+#include "Axis/GuidedCollapse.h"
+#include "Axis/ShapeComplex.h"
+#include "Axis/Trimming.h"
+#include "Balls/MarkedBetti.h"
+#include "Base/Frame.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
-#include <queue>
-
-// A triangle of one tetrahedron alone is free. Removing it together with the tetrahedron is a collapse,
-// which keeps the topology and may free other triangles of the neighbours. A priority queue takes the
-// largest free triangle first. Each solid piece has a free triangle as long as it has a tetrahedron, so
-// none is left in the end.
-//
-// For n tetrahedra this takes O(n log n) time: each is offered at most once for each of its triangles and
-// neighbours. Entries of the queue may be out of date; the cell is then gone.
+#include <utility>
 
 namespace medial
 {
 namespace
 {
-/// The tetrahedra of the shape that are still there, and the triangles that went with one.
-class Collapse
+/// Adds the two points where the spheres of three balls meet: the sites of the triangle of their centres.
+/// @return  the number of the new site edge; None where the spheres don't meet
+Index addSites(const Ball& a, const Ball& b, const Ball& c, FaceGeometry& geometry)
 {
-public:
-  Collapse(const PolarBalls& balls, const PowerShape& powerShape)
-    : polarBalls(balls)
-    , shape(powerShape)
-    , living(powerShape.contains)
-    , goneFacets(powerShape.contains.size(), 0)
-  {
-  }
-
-  void run()
-  {
-    for (Index c = 0; c < count(this->living); ++c)
-    {
-      this->offer(c);
-    }
-    while (!this->queue.empty())
-    {
-      const Candidate next = this->queue.top();
-      this->queue.pop();
-      if (this->living[next.cell])
-      {
-        this->remove(next.cell, next.facet);
-      }
-    }
-  }
-
-  /// The triangles of the shape that are left.
-  std::vector<Triangle> triangles() const
-  {
-    std::vector<Triangle> result;
-    const Tetrahedra& mesh = this->shape.triangulation;
-    for (Index c = 0; c < count(mesh.cells); ++c)
-    {
-      for (int i = 0; i < 4; ++i)
-      {
-        const Triangle t = facet(mesh.cells[c], i);
-        const Index n = mesh.neighbors[c][i];
-        const bool inner = std::all_of(
-          t.begin(), t.end(), [&](Index b) { return this->polarBalls.sides[b] == Side::Inner; });
-        if (inner && (n == None || n > c) && !this->isGone(c, i) &&
-          (n == None || !this->isGone(n, this->sideTowards(n, c))))
-        {
-          result.push_back(t);
-        }
-      }
-    }
-    return result;
-  }
-
-private:
-  struct Candidate
-  {
-    double area; ///< large free triangles go first: thin slivers then leave their long sides
-    Index cell;
-    int facet;
-    bool operator<(const Candidate& other) const
-    {
-      return this->area != other.area
-        ? this->area < other.area
-        : std::make_pair(this->cell, this->facet) > std::make_pair(other.cell, other.facet);
-    }
+  const Point u = b.center - a.center, v = c.center - a.center;
+  const Point normal = u.cross(v);
+  const double area = normal.squaredNorm();
+  const auto half = [&a](const Ball& ball, const Point& edge) {
+    return 0.5 * (a.radius * a.radius - ball.radius * ball.radius + edge.squaredNorm());
   };
-
-  bool isGone(Index cell, int i) const { return this->goneFacets[cell] >> i & 1; }
-
-  int sideTowards(Index cell, Index neighbor) const
+  // The point of the plane with equal power to all three, then up and down along the normal.
+  const Point base = (half(b, u) * v.cross(normal) + half(c, v) * normal.cross(u)) / area;
+  const double height = a.radius * a.radius - base.squaredNorm();
+  if (!(area > 0) || !(height > 0))
   {
-    const Tetrahedron& n = this->shape.triangulation.neighbors[cell];
-    return static_cast<int>(std::find(n.begin(), n.end(), neighbor) - n.begin());
+    return None;
   }
+  const Point along = normal * std::sqrt(height / area);
+  const Index first = count(geometry.sites);
+  geometry.sites.push_back(a.center + base + along);
+  geometry.sites.push_back(a.center + base - along);
+  geometry.siteEdges.push_back({ first, first + 1 });
+  return count(geometry.siteEdges) - 1;
+}
 
-  /// Offers a cell for removal through each triangle that no other living cell has.
-  void offer(Index c)
-  {
-    for (int i = 0; i < 4 && this->living[c]; ++i)
-    {
-      const Index n = this->shape.triangulation.neighbors[c][i];
-      const bool free = n == None || !this->living[n];
-      const bool gone =
-        this->isGone(c, i) || (n != None && this->isGone(n, this->sideTowards(n, c)));
-      if (free && !gone)
-      {
-        const Triangle t = facet(this->shape.triangulation.cells[c], i);
-        const Point& a = this->polarBalls.balls[t[0]].center;
-        const Point u = this->polarBalls.balls[t[1]].center - a;
-        const Point v = this->polarBalls.balls[t[2]].center - a;
-        this->queue.push({ u.cross(v).squaredNorm(), c, i });
-      }
-    }
-  }
-
-  void remove(Index c, int i)
-  {
-    this->living[c] = 0;
-    this->goneFacets[c] |= 1 << i;
-    for (const Index n : this->shape.triangulation.neighbors[c])
-    {
-      if (n != None)
-      {
-        this->offer(n);
-      }
-    }
-  }
-
-  const PolarBalls& polarBalls;
-  const PowerShape& shape;
-  std::vector<char> living;
-  std::vector<char> goneFacets; ///< bit i: removed together with this cell, through facet i
-  std::priority_queue<Candidate> queue;
-};
-
-/// The edges of the shape that are sides of none of the triangles: where the shape is only a curve.
-std::vector<Edge> looseEdges(
-  const PolarBalls& polarBalls, const PowerShape& shape, const std::vector<Triangle>& triangles)
+/// What is left of the shape, as triangles and as polygons of two corners.
+std::vector<FacePolygon> facePolygons(
+  const ShapeComplex& shape, const std::vector<Ball>& balls, FaceGeometry& geometry)
 {
-  std::vector<Edge> sides;
-  for (const Triangle& t : triangles)
+  std::vector<FacePolygon> result;
+  for (Index t = 0; t < count(shape.triangles); ++t)
   {
-    for (int k = 0; k < 3; ++k)
+    if (shape.hasTriangle(t))
     {
-      sides.push_back({ std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]) });
+      const Triangle& corners = shape.triangles[t];
+      result.push_back({ { corners.begin(), corners.end() },
+        addSites(balls[corners[0]], balls[corners[1]], balls[corners[2]], geometry) });
     }
   }
-  std::sort(sides.begin(), sides.end());
-  std::vector<Edge> result;
-  const auto isInner = [&](Index b) { return polarBalls.sides[b] == Side::Inner; };
-  for (const Edge& edge : edgeNumbers(shape.triangulation.cells, count(polarBalls.balls)).edges)
+  for (Index e = 0; e < count(shape.edges); ++e)
   {
-    if (isInner(edge[0]) && isInner(edge[1]) &&
-      !std::binary_search(sides.begin(), sides.end(), edge))
+    if (shape.hasEdge(e) && shape.triangleCount(e) == 0)
     {
-      result.push_back(edge);
+      result.push_back({ { shape.edges[e].begin(), shape.edges[e].end() }, None });
     }
   }
   return result;
 }
-}
 
-AxisComplex collapsedShape(const PolarBalls& polarBalls, const PowerShape& shape)
+/// Makes the poles that are left points of the axis, and polygons and single poles its cells.
+AxisComplex axisOf(const PolarBalls& polarBalls, const std::vector<char>& isLeft,
+  const std::vector<FacePolygon>& polygons)
 {
-  Collapse collapse(polarBalls, shape);
-  collapse.run();
   AxisComplex axis{};
-  axis.cells.triangles = collapse.triangles();
-  axis.cells.edges = looseEdges(polarBalls, shape, axis.cells.triangles);
   std::vector<Index> pointOfBall(polarBalls.balls.size(), None);
   for (Index b = 0; b < count(polarBalls.balls); ++b)
   {
-    if (polarBalls.sides[b] == Side::Inner)
+    if (isLeft[b])
     {
       pointOfBall[b] = count(axis.points);
       axis.points.push_back(polarBalls.balls[b].center);
@@ -178,26 +84,36 @@ AxisComplex collapsedShape(const PolarBalls& polarBalls, const PowerShape& shape
       axis.ballOfPoint.push_back(b);
     }
   }
-  std::vector<char> used(axis.points.size(), 0);
-  const auto renumber = [&](auto& cells) {
-    for (auto& cell : cells)
-    {
-      for (Index& b : cell)
-      {
-        b = pointOfBall[b];
-        used[b] = 1;
-      }
-    }
-  };
-  renumber(axis.cells.triangles);
-  renumber(axis.cells.edges);
-  for (Index p = 0; p < count(used); ++p)
+  std::vector<char> isUsed(axis.points.size(), 0);
+  for (const FacePolygon& polygon : polygons)
   {
-    if (!used[p])
+    const auto point = [&](int k) { return pointOfBall[polygon.corners[k]]; };
+    if (polygon.corners.size() == 3)
+    {
+      axis.cells.triangles.push_back({ point(0), point(1), point(2) });
+    }
+    else
+    {
+      axis.cells.edges.push_back({ point(0), point(1) });
+    }
+    for (const Index b : polygon.corners)
+    {
+      isUsed[pointOfBall[b]] = 1;
+    }
+  }
+  for (Index p = 0; p < count(isUsed); ++p)
+  {
+    if (!isUsed[p])
     {
       axis.cells.vertices.push_back(p);
     }
   }
+  return axis;
+}
+
+/// Each triangle is a polygon of its own; its sites are no samples.
+void describeCells(AxisComplex& axis)
+{
   const Index lower = axis.cells.firstTriangle();
   axis.polygonOfCell.assign(lower, None);
   axis.polygonOfCell.resize(axis.cells.size());
@@ -207,6 +123,33 @@ AxisComplex collapsedShape(const PolarBalls& polarBalls, const PowerShape& shape
   {
     axis.siteViews.push_back(siteView(cornerBalls(axis, cell)));
   }
+}
+}
+
+AxisComplex collapsedShape(
+  const PolarBalls& polarBalls, const PowerShape& shape, const Execution& execution)
+{
+  const Frame frame = frameOf(polarBalls.samples);
+  std::vector<Ball> balls;
+  FaceGeometry geometry;
+  for (Index b = 0; b < count(polarBalls.balls); ++b)
+  {
+    balls.push_back(frame.toLocal(polarBalls.balls[b]));
+    geometry.points.push_back(balls.back().center);
+    geometry.ball.push_back(b);
+  }
+  std::vector<char> isLeft = innerBalls(polarBalls.sides);
+  ShapeComplex complex(shape.triangulation, isLeft);
+  execution.poll();
+  collapseToSheets(complex, geometry.points, execution);
+  std::vector<FacePolygon> polygons = facePolygons(complex, balls, geometry);
+  const std::vector<char> gone = trimSheets(geometry, polygons, execution);
+  for (std::size_t b = 0; b < gone.size(); ++b)
+  {
+    isLeft[b] = isLeft[b] && !gone[b];
+  }
+  AxisComplex axis = axisOf(polarBalls, isLeft, polygons);
+  describeCells(axis);
   return axis;
 }
 }

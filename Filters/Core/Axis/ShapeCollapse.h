@@ -5,12 +5,14 @@
 #include "Axis/AxisComplex.h"
 #include "Balls/PolarBalls.h"
 #include "Balls/PowerShape.h"
+#include "Base/Execution.h"
 
 namespace medial
 {
-/// The power shape with every tetrahedron collapsed through a free triangle. The topology is
-/// the power shape's, by construction. The sheets are rougher than the Voronoi faces.
-AxisComplex collapsedShape(const PolarBalls& polarBalls, const PowerShape& shape);
+/// The power shape collapsed to sheets and curves (GuidedCollapse.h), without slivers (Trimming.h). The
+/// topology is the power shape's, by construction. All points are poles, and nearly all poles are points.
+AxisComplex collapsedShape(
+  const PolarBalls& polarBalls, const PowerShape& shape, const Execution& execution = {});
 }
 
 #endif
