@@ -93,7 +93,7 @@ public:
   ///@{
   /**
    * What to do where the axis does not have the topology of the power shape: collapse the power
-   * shape, which has exactly its topology but rougher sheets (COLLAPSE, the default), or keep the
+   * shape, which has exactly its topology but coarser triangles (COLLAPSE, the default), or keep the
    * axis that comes nearest (NEAREST), which `Certificate` then tells.
    */
   vtkSetClampMacro(Fallback, int, COLLAPSE, NEAREST);

@@ -36,7 +36,7 @@ struct MedialAxis : AxisComplex
 /// What to do where the axis from the singular points does not have the power shape's topology.
 enum class AxisFallback
 {
-  Collapse, ///< collapse the power shape: exact topology, rougher sheets
+  Collapse, ///< collapse the power shape: exact topology, coarser triangles
   Nearest   ///< keep the axis whose Betti numbers come nearest; the certificate says false
 };
 
