@@ -11,6 +11,7 @@
 #include "Shapes.h"
 #include "StageChain.h"
 
+#include <vtkLogger.h>
 #include <vtkPointSet.h>
 #include <vtkSMPTools.h>
 
@@ -176,7 +177,8 @@ int main(int argc, char** argv)
   try
   {
     const Options options = optionsOf(argc, argv);
-    vtkSMPTools::SetBackend("Sequential"); // threads don't live on in a child
+    vtkSMPTools::SetBackend("Sequential");                   // threads don't live on in a child
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // there are warnings of most changes
     const std::vector<Stages> all = allStages();
     auto* progress = static_cast<Progress*>(
       mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
