@@ -19,15 +19,22 @@ double reach(const SampleEvidence& evidence, Index s)
   return evidence.balls[first].radius / evidence.spacings[s];
 }
 
-bool isOneSided(const SampleEvidence& evidence, Index s)
+/// Are both of its balls inside, or both outside?
+bool isOnNoBoundary(const SampleEvidence& evidence, Index s)
 {
   const auto [first, second] = evidence.ballsOfSample[s];
-  if (first == None || second == None || evidence.sides[first] != evidence.sides[second] ||
-    evidence.sides[first] == Side::Hidden)
+  return first != None && second != None && evidence.sides[first] == evidence.sides[second] &&
+    evidence.sides[first] != Side::Hidden;
+}
+
+bool isOneSided(const SampleEvidence& evidence, Index s)
+{
+  if (!isOnNoBoundary(evidence, s))
   {
     return false;
   }
   // Not at a sharp edge.
+  const auto [first, second] = evidence.ballsOfSample[s];
   return opposition(evidence.points[s], evidence.balls[first], evidence.balls[second]) > 0.5;
 }
 
@@ -70,6 +77,13 @@ Warnings straySamples(const SampleEvidence& evidence, const std::vector<Index>& 
   const auto nearestDistance = [&](Index s) {
     return (evidence.points[nearest[s]] - evidence.points[s]).norm();
   };
+  const auto loneliness = [&](Index s) {
+    const double spacing = evidence.spacings[nearest[s]];
+    return nearestDistance(s) / spacing;
+  };
+  const auto isIsolated = [&](Index s) { // where the surface doesn't pass, by less
+    return loneliness(s) > (isOnNoBoundary(evidence, s) ? 1.5 : 3);
+  };
   const std::vector<Kind> kinds{
     { "interior_samples",
       [&](Index s) { return reach(evidence, s) < 1.2 && evidence.spacings[s] > 1.5 * usual; }, 0,
@@ -83,8 +97,7 @@ Warnings straySamples(const SampleEvidence& evidence, const std::vector<Index>& 
     { "one_sided_samples", [&](Index s) { return isOneSided(evidence, s); }, 0.02, 0.02,
       " samples have the solid on both of their sides or on none. Give points of a closed surface, "
       "evenly spaced in all directions." },
-    { "isolated_samples",
-      [&](Index s) { return nearestDistance(s) > 3 * evidence.spacings[nearest[s]]; }, 0, never,
+    { "isolated_samples", isIsolated, 0, never,
       " samples are far from all others, measured by the spacing there. Remove outliers, or fill "
       "the "
       "gap around them." },

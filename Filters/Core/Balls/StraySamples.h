@@ -17,7 +17,8 @@ namespace medial
 /// - "volume_samples": many samples have such small balls, as the points of a volume have;
 /// - "one_sided_samples": many samples see their two poles in opposite directions, but both are inside
 ///   or both outside;
-/// - "isolated_samples": their nearest sample is several of its own spacings away;
+/// - "isolated_samples": their nearest sample is several of its own spacings away; one and a half are
+///   enough if their two balls are both inside or both outside;
 /// - "clustered_samples": their nearest sample is far nearer than the spacing.
 ///
 /// @param nearest  the sample nearest to each one

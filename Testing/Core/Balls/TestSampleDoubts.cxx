@@ -239,6 +239,25 @@ TEST(SampleDoubts, OutliersAreARemark)
   EXPECT_EQ(summary(found), std::vector<std::string>{ "isolated_samples 2 remark" });
 }
 
+TEST(SampleDoubts, SingleSamplesOffTheSurfaceAreARemark)
+{
+  const std::vector<Point> sphere = shapes::sphere(0.1).samples;
+  const std::vector<Point> directions{ Point(1, 0, 0), Point(-0.6, 0.8, 0), Point(0, -0.6, 0.8),
+    Point(0, -0.6, -0.8), Point(-0.6, -0.8, 0) };
+  for (const double radius : { 0.6, 0.7, 1.3, 1.5, 4.0 }) // at 0.3 it is two local spacings away
+  {
+    for (const int howMany : { 1, 2, 5 })
+    {
+      std::vector<Point> lone(directions.begin(), directions.begin() + howMany);
+      lone = shapes::scaled(lone, radius);
+      const Warning found = warning(warningsOf(joined(sphere, lone)), "isolated_samples");
+      EXPECT_EQ(found.count, howMany) << radius;
+      ASSERT_TRUE(found.place.has_value());
+      EXPECT_NEAR(found.place->norm(), radius, 1e-9);
+    }
+  }
+}
+
 TEST(SampleDoubts, ALargeGapDoubtsTheSolidAndASmallOneIsARemark)
 {
   const std::vector<Point> sphere = shapes::sphere(0.06).samples;
