@@ -39,6 +39,9 @@ public:
     }
   }
 
+  /// The same of one coordinate.
+  void noteWord(std::string_view word) { this->Unit.add(word); }
+
   vtkIdType points() const { return this->Points->GetNumberOfPoints(); }
 
   /// Begins a polygon.

@@ -23,6 +23,8 @@ public:
   virtual void begin(const PlyElement& element, long long row) = 0;
   /// The next value of the row, or of its list.
   virtual double value(PlyType type) = 0;
+  /// The word that it was, in a text; empty in binary.
+  virtual std::string_view word() const = 0;
   /// How many more values the row can have.
   virtual std::size_t rest(PlyType type) const = 0;
   virtual void end() = 0;
@@ -54,6 +56,8 @@ public:
   }
 
   double value(PlyType) override { return this->Text.real(this->Place++, this->Expected.c_str()); }
+
+  std::string_view word() const override { return this->Text.words()[this->Place - 1]; }
 
   std::size_t rest(PlyType) const override { return this->Text.words().size() - this->Place; }
 
@@ -106,6 +110,8 @@ public:
     this->Element = &element;
     this->Row = row;
   }
+
+  std::string_view word() const override { return {}; }
 
   double value(PlyType type) override
   {
@@ -224,6 +230,7 @@ void readVertex(
     else
     {
       point[coordinates[k]] = rows.value(vertices.properties[k].type);
+      polygons.noteWord(rows.word());
     }
   }
   polygons.addPoint(point);

@@ -219,7 +219,7 @@ TEST(Resolution, IsTheLastDigitOfTheLargestNumbers)
   EXPECT_EQ(of({}), 0);
 }
 
-TEST(Resolution, ComesWithTextsThatDontNameAType)
+TEST(Resolution, ComesWithTexts)
 {
   for (const Format& format : formats())
   {
@@ -227,7 +227,8 @@ TEST(Resolution, ComesWithTextsThatDontNameAType)
     const vtkSmartPointer<vtkPolyData> mesh = format.read(write(format.name, format.content));
     vtkDataArray* unit = mesh->GetFieldData()->GetArray("SampleResolution");
     const std::string name = format.name;
-    const bool isText = name == "pyramid.obj" || name == "pyramid.off" || name == "ascii.stl";
+    const bool isText =
+      name == "pyramid.obj" || name == "pyramid.off" || name == "ascii.stl" || name == "ascii.ply";
     ASSERT_EQ(unit != nullptr, isText);
     EXPECT_DOUBLE_EQ(unit ? unit->GetComponent(0, 0) : 1e-6, 1e-6); // as std::to_string writes
   }
