@@ -7,6 +7,7 @@
 #include "Balls/StraySamples.h"
 #include "Balls/SurfaceGaps.h"
 #include "Balls/ThinFeatures.h"
+#include "Balls/TinyPieces.h"
 #include "Base/BettiWords.h"
 #include "Base/Errors.h"
 #include "Base/Lists.h"
@@ -172,6 +173,7 @@ Warnings sampleDoubts(const DoubtInput& input, const Execution& execution)
   append(result, thinFeatures(evidence, input.powerShape));
   append(result, emptiness(input.powerShape));
   append(result, proportion(input.powerShape, count(points)));
+  append(result, tinyPieces(evidence));
   append(result, straySamples(evidence, near.nearest));
   append(result, surfaceGaps(evidence, contested));
   append(result, noise(input.distinct, neighbors, execution));

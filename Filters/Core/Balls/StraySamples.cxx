@@ -94,7 +94,7 @@ Warnings straySamples(const SampleEvidence& evidence, const std::vector<Index>& 
     { "volume_samples", [&](Index s) { return reach(evidence, s) < 1; }, 0.2, 0.2,
       " samples have others on all sides, as in a volume or in strong noise. Give points of the "
       "boundary only, or sample thin walls more densely." },
-    { "one_sided_samples", [&](Index s) { return isOneSided(evidence, s); }, 0.02, 0.02,
+    { "one_sided_samples", [&](Index s) { return isOneSided(evidence, s); }, 0.01, 0.01,
       " samples have the solid on both of their sides or on none. Give points of a closed surface, "
       "evenly spaced in all directions." },
     { "isolated_samples", isIsolated, 0, never,

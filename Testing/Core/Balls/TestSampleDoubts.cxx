@@ -4,6 +4,7 @@
 #include "Balls/NoiseEstimate.h"
 #include "Balls/PolarBalls.h"
 #include "Balls/PowerShape.h"
+#include "Base/Frame.h"
 #include "Base/Neighbors.h"
 #include "Base/Warnings.h"
 #include "PoissonDisk.h"
@@ -78,14 +79,14 @@ std::vector<Point> joined(std::vector<Point> points, const std::vector<Point>& m
   return points;
 }
 
-/// Random points in a cube about the origin.
-std::vector<Point> scattered(Index howMany, double halfSide, unsigned seed)
+/// Random points in a box about the origin.
+std::vector<Point> scattered(Index howMany, const Point& halfSides, unsigned seed)
 {
   shapes::Random random(seed);
   std::vector<Point> result;
   while (medial::count(result) < howMany)
   {
-    result.push_back(shapes::uniformInBox(random, Point::Constant(halfSide)));
+    result.push_back(shapes::uniformInBox(random, halfSides));
   }
   return result;
 }
@@ -222,7 +223,7 @@ TEST(SampleDoubts, PointsOfAVolumeDoubtTheSolid)
 
 TEST(SampleDoubts, InteriorSamplesDoubtTheSolid)
 {
-  const std::vector<Point> inside = scattered(30, 0.5, 1);
+  const std::vector<Point> inside = scattered(30, Point::Constant(0.5), 1);
   const Warning found =
     warning(warningsOf(joined(shapes::sphere(0.1).samples, inside)), "interior_samples");
   EXPECT_TRUE(found.doubtsSolid);
@@ -256,6 +257,32 @@ TEST(SampleDoubts, SingleSamplesOffTheSurfaceAreARemark)
       EXPECT_NEAR(found.place->norm(), radius, 1e-9);
     }
   }
+}
+
+TEST(SampleDoubts, OutliersThatDecideTheTopologyDoubtTheSolid)
+{
+  int wrong = 0;
+  const auto expectDoubts = [&wrong](const shapes::Shape& knot, const std::vector<Point>& strays) {
+    const medial::PolarBallsAndSamples made =
+      medial::polarBallsAndSamples(joined(knot.samples, strays));
+    if (made.powerShape != knot.betti)
+    {
+      ++wrong;
+      EXPECT_TRUE(doubtsSolid(made.samples.warnings)) << "seed " << knot.seed;
+    }
+  };
+  // Some of these strays make a piece of their own.
+  const shapes::Shape first = shapes::knot();
+  expectDoubts(first, scattered(medial::count(first.samples) / 50, Point(3.3, 3.3, 1.3), 97));
+  // These cut the tube, or not.
+  for (unsigned seed = 9; seed <= 14; ++seed)
+  {
+    const shapes::Shape knot = shapes::knot(0.17, seed);
+    const Eigen::AlignedBox3d box = medial::boundingBox(knot.samples);
+    const Index howMany = medial::count(knot.samples) / 50;
+    expectDoubts(knot, shapes::moved(scattered(howMany, box.sizes() / 2, seed), box.center()));
+  }
+  EXPECT_GE(wrong, 2) << "too few wrong solids to tell";
 }
 
 TEST(SampleDoubts, ALargeGapDoubtsTheSolidAndASmallOneIsARemark)
@@ -306,7 +333,7 @@ TEST(SampleDoubts, DependOnNeitherUnitNorPositionNorOrderNorThreads)
 {
   const std::vector<std::vector<Point>> inputs{ sheets(0.03, 0.07), shapes::cloud(400, 2),
     below(shapes::sphere(0.1).samples, 0.7),
-    joined(shapes::sphere(0.15).samples, scattered(9, 0.4, 1)) };
+    joined(shapes::sphere(0.15).samples, scattered(9, Point::Constant(0.4), 1)) };
   for (const std::vector<Point>& input : inputs)
   {
     const std::vector<std::string> expected = summary(warningsOf(input));
