@@ -83,11 +83,9 @@ std::vector<Point> joined(std::vector<Point> points, const std::vector<Point>& m
 std::vector<Point> scattered(Index howMany, const Point& halfSides, unsigned seed)
 {
   shapes::Random random(seed);
-  std::vector<Point> result;
-  while (medial::count(result) < howMany)
-  {
-    result.push_back(shapes::uniformInBox(random, halfSides));
-  }
+  std::vector<Point> result(howMany);
+  std::generate(
+    result.begin(), result.end(), [&] { return shapes::uniformInBox(random, halfSides); });
   return result;
 }
 
