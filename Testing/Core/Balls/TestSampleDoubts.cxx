@@ -5,7 +5,6 @@
 #include "Balls/PolarBalls.h"
 #include "Balls/PowerShape.h"
 #include "Base/Frame.h"
-#include "Base/Neighbors.h"
 #include "Base/Warnings.h"
 #include "PoissonDisk.h"
 #include "Shapes.h"
@@ -83,9 +82,9 @@ std::vector<Point> joined(std::vector<Point> points, const std::vector<Point>& m
 std::vector<Point> scattered(Index howMany, const Point& halfSides, unsigned seed)
 {
   shapes::Random random(seed);
-  std::vector<Point> result(howMany);
-  std::generate(
-    result.begin(), result.end(), [&] { return shapes::uniformInBox(random, halfSides); });
+  std::vector<Point> result;
+  std::generate_n(
+    std::back_inserter(result), howMany, [&] { return shapes::uniformInBox(random, halfSides); });
   return result;
 }
 
@@ -247,8 +246,8 @@ TEST(SampleDoubts, SingleSamplesOffTheSurfaceAreARemark)
   {
     for (const int howMany : { 1, 2, 5 })
     {
-      std::vector<Point> lone(directions.begin(), directions.begin() + howMany);
-      lone = shapes::scaled(lone, radius);
+      const std::vector<Point> lone =
+        shapes::scaled({ directions.begin(), directions.begin() + howMany }, radius);
       const Warning found = warning(warningsOf(joined(sphere, lone)), "isolated_samples");
       EXPECT_EQ(found.count, howMany) << radius;
       ASSERT_TRUE(found.place.has_value());
@@ -277,8 +276,8 @@ TEST(SampleDoubts, OutliersThatDecideTheTopologyDoubtTheSolid)
   {
     const shapes::Shape knot = shapes::knot(0.17, seed);
     const Eigen::AlignedBox3d box = medial::boundingBox(knot.samples);
-    const Index howMany = medial::count(knot.samples) / 50;
-    expectDoubts(knot, shapes::moved(scattered(howMany, box.sizes() / 2, seed), box.center()));
+    const auto strays = scattered(medial::count(knot.samples) / 50, box.sizes() / 2, seed);
+    expectDoubts(knot, shapes::moved(strays, box.center()));
   }
   EXPECT_GE(wrong, 2) << "too few wrong solids to tell";
 }
@@ -368,34 +367,4 @@ TEST(NoiseEstimate, TellsNoiseFromCurvature)
     last = noise;
   }
   EXPECT_GT(estimate(shapes::cloud(1000, 1)), 0.6);
-}
-
-TEST(Neighbors, AreTheNearestPointsInOrder)
-{
-  const std::vector<Point> points = shapes::cloud(300, 4);
-  const medial::Neighbors neighbors(points);
-  for (Index p = 0; p < medial::count(points); ++p)
-  {
-    std::vector<std::pair<double, Index>> all;
-    for (Index q = 0; q < medial::count(points); ++q)
-    {
-      if (q != p)
-      {
-        all.emplace_back((points[q] - points[p]).squaredNorm(), q);
-      }
-    }
-    std::sort(all.begin(), all.end());
-    const std::vector<Index> found = neighbors.nearest(p, 7);
-    ASSERT_EQ(found.size(), 7u);
-    for (std::size_t i = 0; i < found.size(); ++i)
-    {
-      ASSERT_EQ(found[i], all[i].second);
-    }
-  }
-}
-
-TEST(Neighbors, AreAllOthersWhereThereAreFew)
-{
-  const std::vector<Point> points = shapes::cloud(4, 1);
-  EXPECT_EQ(medial::Neighbors(points).nearest(2, 6).size(), 3u);
 }

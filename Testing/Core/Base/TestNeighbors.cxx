@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Neighbors.h"
+
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+using medial::Index;
+using medial::Point;
+
+TEST(Neighbors, AreTheNearestPointsInOrder)
+{
+  const std::vector<Point> points = shapes::cloud(300, 4);
+  const medial::Neighbors neighbors(points);
+  for (Index p = 0; p < medial::count(points); ++p)
+  {
+    std::vector<std::pair<double, Index>> all;
+    for (Index q = 0; q < medial::count(points); ++q)
+    {
+      if (q != p)
+      {
+        all.emplace_back((points[q] - points[p]).squaredNorm(), q);
+      }
+    }
+    std::sort(all.begin(), all.end());
+    const std::vector<Index> found = neighbors.nearest(p, 7);
+    ASSERT_EQ(found.size(), 7u);
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      ASSERT_EQ(found[i], all[i].second);
+    }
+  }
+}
+
+TEST(Neighbors, AreAllOthersWhereThereAreFew)
+{
+  const std::vector<Point> points = shapes::cloud(4, 1);
+  EXPECT_EQ(medial::Neighbors(points).nearest(2, 6).size(), 3u);
+}
