@@ -24,9 +24,9 @@
  *  - `SiteSamples` (vtkIdType, 2 components): the two samples that the cell is equally far from; -1
  *    where such a point is no sample.
  *  - `ObjectAngle` (double, 0 ... 180 degrees): the largest angle at which two of the cell's sites are
- *    seen from its centroid. A triangle has two sites, a line three. Where they aren't known (with
- *    the fallback, and small faces that were filled in) the points where the spheres of its corners
- *    meet stand for them.
+ *    seen from its centroid. A triangle has two sites, a line three. Where they aren't known (lines
+ *    of the fallback, and small faces that were filled in) the points where the spheres of its
+ *    corners meet stand for them.
  *  - `Lambda` (double, unit of the samples): the largest distance of two of the cell's sites; 0 where
  *    the spheres don't meet.
  *  - `ErosionThickness` (double, >= 0): the largest at its corners, when the fire comes there in the

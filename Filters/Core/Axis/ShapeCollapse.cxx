@@ -4,49 +4,58 @@
 #include "Axis/FacePolygon.h"
 #include "Axis/GuidedCollapse.h"
 #include "Axis/ShapeComplex.h"
+#include "Axis/TriangleSites.h"
 #include "Axis/Trimming.h"
 #include "Balls/MarkedBetti.h"
 #include "Base/Frame.h"
 
-#include <Eigen/Geometry>
-
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <numeric>
-#include <utility>
+#include <optional>
+#include <vector>
 
 namespace medial
 {
 namespace
 {
-/// Adds the two points where the spheres of three balls meet: the sites of the triangle of their centres.
-/// @return  the number of the new site edge; None where the spheres don't meet
-Index addSites(const Ball& a, const Ball& b, const Ball& c, FaceGeometry& geometry)
+/// What the triangles of the shape are equally far from.
+struct ShapeSites
 {
-  const Point u = b.center - a.center, v = c.center - a.center;
-  const Point normal = u.cross(v);
-  const double area = normal.squaredNorm();
-  const auto half = [&a](const Ball& ball, const Point& edge) {
-    return 0.5 * (a.radius * a.radius - ball.radius * ball.radius + edge.squaredNorm());
-  };
-  // The point of the plane with equal power to all three, then up and down along the normal.
-  const Point base = (half(b, u) * v.cross(normal) + half(c, v) * normal.cross(u)) / area;
-  const double height = a.radius * a.radius - base.squaredNorm();
-  if (!(area > 0) || !(height > 0))
+  FaceGeometry geometry;      ///< in the frame
+  std::vector<Index> samples; ///< for each site: the sample that it is, or None
+};
+
+/// Adds the two points where the spheres of three balls meet.
+/// @param balls  all, in the frame
+/// @return  the number of the new site edge; None where the spheres don't meet on both sides
+Index addSites(const PolarBalls& polarBalls, const std::vector<Ball>& balls, const Frame& frame,
+  const Triangle& corners, ShapeSites& sites)
+{
+  std::array<Point, 2> points;
+  Edge samples;
+  for (int side = 0; side < 2; ++side)
   {
-    return None;
+    const Triangle seen = side == 0 ? corners : Triangle{ corners[0], corners[2], corners[1] };
+    samples[side] = sharedSample(polarBalls, seen);
+    const auto meeting = samples[side] != None
+      ? std::optional<Point>(frame.toLocal(polarBalls.samples[samples[side]]))
+      : boundaryIntersection(balls[seen[0]], balls[seen[1]], balls[seen[2]]);
+    if (!meeting)
+    {
+      return None;
+    }
+    points[side] = *meeting;
   }
-  const Point along = normal * std::sqrt(height / area);
-  const Index first = count(geometry.sites);
-  geometry.sites.push_back(a.center + base + along);
-  geometry.sites.push_back(a.center + base - along);
-  geometry.siteEdges.push_back({ first, first + 1 });
-  return count(geometry.siteEdges) - 1;
+  const Index first = count(sites.samples);
+  sites.geometry.sites.insert(sites.geometry.sites.end(), points.begin(), points.end());
+  sites.samples.insert(sites.samples.end(), samples.begin(), samples.end());
+  sites.geometry.siteEdges.push_back({ first, first + 1 });
+  return count(sites.geometry.siteEdges) - 1;
 }
 
 /// What is left of the shape, as triangles and as polygons of two corners.
-std::vector<FacePolygon> facePolygons(
-  const ShapeComplex& shape, const std::vector<Ball>& balls, FaceGeometry& geometry)
+std::vector<FacePolygon> facePolygons(const ShapeComplex& shape, const PolarBalls& polarBalls,
+  const std::vector<Ball>& balls, const Frame& frame, ShapeSites& sites)
 {
   std::vector<FacePolygon> result;
   for (Index t = 0; t < count(shape.triangles); ++t)
@@ -54,8 +63,8 @@ std::vector<FacePolygon> facePolygons(
     if (shape.hasTriangle(t))
     {
       const Triangle& corners = shape.triangles[t];
-      result.push_back({ { corners.begin(), corners.end() },
-        addSites(balls[corners[0]], balls[corners[1]], balls[corners[2]], geometry) });
+      result.push_back(
+        { { corners.begin(), corners.end() }, addSites(polarBalls, balls, frame, corners, sites) });
     }
   }
   for (Index e = 0; e < count(shape.edges); ++e)
@@ -111,8 +120,17 @@ AxisComplex axisOf(const PolarBalls& polarBalls, const std::vector<char>& isLeft
   return axis;
 }
 
-/// Each triangle is a polygon of its own; its sites are no samples.
-void describeCells(AxisComplex& axis)
+SiteView viewOf(const AxisComplex& axis, Index cell, const std::vector<Point>& sites)
+{
+  Point centroid = Point::Zero();
+  forPoints(axis.cells, cell, [&](Index p) { centroid += axis.points[p] / 3; });
+  return siteView(centroid, sites);
+}
+
+/// Each triangle is a polygon of its own.
+/// @param polygons  the triangles of the axis, in their order, among others
+void describeCells(const std::vector<FacePolygon>& polygons, const ShapeSites& sites,
+  const Frame& frame, AxisComplex& axis)
 {
   const Index lower = axis.cells.firstTriangle();
   axis.polygonOfCell.assign(lower, None);
@@ -123,6 +141,19 @@ void describeCells(AxisComplex& axis)
   {
     axis.siteViews.push_back(siteView(cornerBalls(axis, cell)));
   }
+  Index cell = lower;
+  for (const FacePolygon& polygon : polygons)
+  {
+    if (polygon.corners.size() == 3 && polygon.siteEdge != None)
+    {
+      const Edge& ends = sites.geometry.siteEdges[polygon.siteEdge];
+      const auto place = [&](
+                           int k) -> Point { return frame.toWorld(sites.geometry.sites[ends[k]]); };
+      axis.samplesOfCell[cell] = { sites.samples[ends[0]], sites.samples[ends[1]] };
+      axis.siteViews[cell] = viewOf(axis, cell, { place(0), place(1) });
+    }
+    cell += polygon.corners.size() == 3;
+  }
 }
 }
 
@@ -131,25 +162,25 @@ AxisComplex collapsedShape(
 {
   const Frame frame = frameOf(polarBalls.samples);
   std::vector<Ball> balls;
-  FaceGeometry geometry;
+  ShapeSites sites;
   for (Index b = 0; b < count(polarBalls.balls); ++b)
   {
     balls.push_back(frame.toLocal(polarBalls.balls[b]));
-    geometry.points.push_back(balls.back().center);
-    geometry.ball.push_back(b);
+    sites.geometry.points.push_back(balls.back().center);
+    sites.geometry.ball.push_back(b);
   }
   std::vector<char> isLeft = innerBalls(polarBalls.sides);
   ShapeComplex complex(shape.triangulation, isLeft);
   execution.poll();
-  collapseToSheets(complex, geometry.points, execution);
-  std::vector<FacePolygon> polygons = facePolygons(complex, balls, geometry);
-  const std::vector<char> gone = trimSheets(geometry, polygons, execution);
+  collapseToSheets(complex, sites.geometry.points, execution);
+  std::vector<FacePolygon> polygons = facePolygons(complex, polarBalls, balls, frame, sites);
+  const std::vector<char> gone = trimSheets(sites.geometry, polygons, execution);
   for (std::size_t b = 0; b < gone.size(); ++b)
   {
     isLeft[b] = isLeft[b] && !gone[b];
   }
   AxisComplex axis = axisOf(polarBalls, isLeft, polygons);
-  describeCells(axis);
+  describeCells(polygons, sites, frame, axis);
   return axis;
 }
 }

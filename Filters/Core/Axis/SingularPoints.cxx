@@ -1,74 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/SingularPoints.h"
 
+#include "Axis/TriangleSites.h"
 #include "Balls/PowerLocator.h"
 #include "Base/Frame.h"
 #include "Base/Lists.h"
-#include "Base/Predicates.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace medial
 {
 namespace
 {
-/// Do the three ascending lists share an element of which `accept` approves?
-template <typename Accept>
-bool anyShared(IndexLists::View a, IndexLists::View b, IndexLists::View c, const Accept& accept)
-{
-  const Index *i = a.begin(), *j = b.begin(), *k = c.begin();
-  while (i != a.end() && j != b.end() && k != c.end())
-  {
-    const Index most = std::max({ *i, *j, *k });
-    if (*i == most && *j == most && *k == most)
-    {
-      if (accept(most))
-      {
-        return true;
-      }
-      ++i;
-    }
-    else
-    {
-      i = std::lower_bound(i, a.end(), most);
-      j = std::lower_bound(j, b.end(), most);
-      k = std::lower_bound(k, c.end(), most);
-    }
-  }
-  return false;
-}
-
-/// Where three spheres meet on the side from which their centres a, b, c are counter-clockwise.
-std::optional<Point> boundaryIntersection(const Ball& a, const Ball& b, const Ball& c)
-{
-  const Point u = b.center - a.center, v = c.center - a.center;
-  const Point normal = u.cross(v);
-  const double area = normal.squaredNorm();
-  const auto half = [&a](const Ball& ball, const Point& edge) {
-    return 0.5 * (a.radius * a.radius - ball.radius * ball.radius + edge.squaredNorm());
-  };
-  // The point of the plane with equal power to all three, then up along the normal.
-  const Point base = (half(b, u) * v.cross(normal) + half(c, v) * normal.cross(u)) / area;
-  const double height = a.radius * a.radius - base.squaredNorm();
-  if (!(area > 0) || !(height > 0))
-  {
-    return std::nullopt;
-  }
-  const Point p = a.center + base + normal * std::sqrt(height / area);
-  for (const Ball& ball : { a, b, c })
-  {
-    if (!(std::abs((p - ball.center).norm() - ball.radius) < coincident))
-    {
-      return std::nullopt; // centres so nearly on a line that doubles can't tell where
-    }
-  }
-  return p;
-}
-
 /// Is a point that lies on an inner ball inside no other one?
 bool isOnUnion(
   const PowerLocator& locator, const std::vector<Side>& sides, const Point& p, Index ball)
@@ -125,12 +69,7 @@ std::vector<Crossing> crossings(const PolarBalls& polarBalls, const PowerShape& 
       return;
     }
     const Triangle balls = seenFrom(shape.triangulation, triangle, i % 2);
-    const auto center = [&](int k) -> const Point& { return polarBalls.balls[balls[k]].center; };
-    const auto onThisSide = [&](Index s) {
-      return orientation(center(0), center(1), center(2), polarBalls.samples[s]) > 0;
-    };
-    const IndexLists& lists = polarBalls.ballSamples;
-    if (anyShared(lists[balls[0]], lists[balls[1]], lists[balls[2]], onThisSide))
+    if (sharedSample(polarBalls, balls) != None)
     {
       return; // the singular point is that sample
     }

@@ -89,6 +89,47 @@ TEST(ShapeCollapse, HasNearlyAllPolesAndNoOtherPoints)
   });
 }
 
+TEST(ShapeCollapse, KnowsTheTwoSamplesOfMostTriangles)
+{
+  forEachShape([](Pipeline& p) {
+    const medial::AxisComplex axis = medial::collapsedShape(p.balls(), p.powerShape());
+    Index known = 0;
+    for (Index t = 0; t < medial::count(axis.cells.triangles); ++t)
+    {
+      for (const Index sample : axis.samplesOfCell[axis.cells.firstTriangle() + t])
+      {
+        known += sample != None;
+        for (const Index corner : axis.cells.triangles[t])
+        {
+          if (sample != None)
+          {
+            ASSERT_NEAR((axis.points[corner] - p.shape.samples[sample]).norm(), axis.radii[corner],
+              1e-7 * p.diagonal);
+          }
+        }
+      }
+    }
+    EXPECT_GE(known, 0.5 * medial::count(axis.cells.triangles)); // of twice as many
+  });
+}
+
+TEST(ShapeCollapse, LiesOnTheExactAxis)
+{
+  forEachShape([](Pipeline& p) {
+    const medial::AxisComplex axis = medial::collapsedShape(p.balls(), p.powerShape());
+    double sum = 0, areas = 0;
+    for (const medial::Triangle& t : axis.cells.triangles)
+    {
+      const Point centroid = (axis.points[t[0]] + axis.points[t[1]] + axis.points[t[2]]) / 3;
+      const double area = medial::triangleArea(axis, t);
+      sum += area * p.shape.axisDistance(centroid);
+      areas += area;
+    }
+    // Triangles are chords of a curved axis, with sides of about one or two spacings.
+    EXPECT_LE(sum, 0.15 * p.shape.spacing * areas);
+  });
+}
+
 TEST(ShapeCollapse, HasAnEntryForEachCell)
 {
   forEachShape([](Pipeline& p) {
