@@ -9,6 +9,7 @@
 #include "Balls/MarkedBetti.h"
 #include "Base/Frame.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <optional>
@@ -75,6 +76,12 @@ std::vector<FacePolygon> facePolygons(const ShapeComplex& shape, const PolarBall
     }
   }
   return result;
+}
+
+void leaveOut(const std::vector<char>& gone, std::vector<char>& isLeft)
+{
+  std::transform(isLeft.begin(), isLeft.end(), gone.begin(), isLeft.begin(),
+    [](char left, char out) { return left && !out; });
 }
 
 /// Makes the poles that are left points of the axis, and polygons and single poles its cells.
@@ -174,11 +181,8 @@ AxisComplex collapsedShape(
   execution.poll();
   collapseToSheets(complex, sites.geometry.points, execution);
   std::vector<FacePolygon> polygons = facePolygons(complex, polarBalls, balls, frame, sites);
-  const std::vector<char> gone = trimSheets(sites.geometry, polygons, execution);
-  for (std::size_t b = 0; b < gone.size(); ++b)
-  {
-    isLeft[b] = isLeft[b] && !gone[b];
-  }
+  leaveOut(trimFlaps(sites.geometry, polygons, execution), isLeft);
+  leaveOut(trimSheets(sites.geometry, polygons, execution), isLeft);
   AxisComplex axis = axisOf(polarBalls, isLeft, polygons);
   describeCells(polygons, sites, frame, axis);
   return axis;

@@ -3,6 +3,7 @@
 
 #include "Axis/FaceComplex.h"
 #include "Axis/SheetSeparation.h"
+#include "Base/DisjointSets.h"
 #include "Base/Lists.h"
 
 #include <algorithm>
@@ -20,17 +21,17 @@ namespace medial
 namespace
 {
 /// Collapses the pieces all of whose poles are elsewhere, too.
-void removePieces(FaceComplex& faces, const FaceGeometry& geometry)
+/// @param pieceOf  pieceOf(face): the lowest face of its piece
+template <typename PieceOf>
+void removePieces(FaceComplex& faces, const FaceGeometry& geometry, const PieceOf& pieceOf)
 {
-  Sheets sheets(faces, geometry);
-  sheets.findPieces();
   const Index polygonCount = count(faces.polygons);
   const IndexLists facesOfPiece = listsByKey(polygonCount, [&](const auto& add) {
     for (Index p = 0; p < polygonCount; ++p)
     {
       if (faces.isFace(p))
       {
-        add(sheets.pieceOf(p), p);
+        add(pieceOf(p), p);
       }
     }
   });
@@ -60,6 +61,38 @@ void removePieces(FaceComplex& faces, const FaceGeometry& geometry)
     }
   }
 }
+
+/// Pieces as Sheets tells them apart.
+void removeSlivers(FaceComplex& faces, const FaceGeometry& geometry)
+{
+  Sheets sheets(faces, geometry);
+  sheets.findPieces();
+  removePieces(faces, geometry, [&sheets](Index p) { return sheets.pieceOf(p); });
+}
+
+/// @param polygons  of the faces; only what is left stays
+/// @return  for each vertex: is it gone?
+std::vector<char> takeRemaining(const FaceComplex& faces, std::vector<FacePolygon>& polygons)
+{
+  std::vector<char> gone = faces.goneVertices();
+  polygons = faces.remaining();
+  return gone;
+}
+
+/// Pieces joined over sides with exactly two faces.
+void removeFlaps(FaceComplex& faces, const FaceGeometry& geometry)
+{
+  DisjointSets pieces(count(faces.polygons));
+  for (Index s = 0; s < faces.sideCount(); ++s)
+  {
+    if (faces.faceCount(s) == 2)
+    {
+      const std::vector<Index> at = faces.facesAt(s);
+      pieces.unite(at[0], at[1]);
+    }
+  }
+  removePieces(faces, geometry, [&pieces](Index p) { return pieces.find(p); });
+}
 }
 
 std::vector<char> trimSheets(
@@ -67,15 +100,26 @@ std::vector<char> trimSheets(
 {
   FaceComplex faces(polygons, count(geometry.points));
   execution.poll();
-  removePieces(faces, geometry);
+  removeSlivers(faces, geometry);
   execution.poll();
   separateSheets(faces, geometry);
   execution.poll();
-  removePieces(faces, geometry); // a cut may have left new slivers
+  removeSlivers(faces, geometry); // a cut may have left new slivers
   execution.poll();
-  std::vector<FacePolygon> remaining = faces.remaining();
-  std::vector<char> gone = faces.goneVertices();
-  polygons = std::move(remaining);
-  return gone;
+  return takeRemaining(faces, polygons);
+}
+
+std::vector<char> trimFlaps(
+  const FaceGeometry& geometry, std::vector<FacePolygon>& polygons, const Execution& execution)
+{
+  FaceComplex faces(polygons, count(geometry.points));
+  // What a flap has left may be a flap now. A third round would find next to nothing.
+  constexpr int rounds = 2;
+  for (int round = 0; round < rounds; ++round)
+  {
+    execution.poll();
+    removeFlaps(faces, geometry);
+  }
+  return takeRemaining(faces, polygons);
 }
 }

@@ -20,6 +20,13 @@ namespace medial
 /// @return  for each vertex: is it no longer there?
 std::vector<char> trimSheets(const FaceGeometry& geometry, std::vector<FacePolygon>& polygons,
   const Execution& execution = {});
+
+/// Leaves out flaps: faces joined over sides with exactly two of them, without a pole of their own. They
+/// may lie on a sheet and be equally far from the same sites, so that trimSheets takes them for a part of
+/// the sheet. The topology stays, as above.
+/// @return  for each vertex: is it no longer there?
+std::vector<char> trimFlaps(const FaceGeometry& geometry, std::vector<FacePolygon>& polygons,
+  const Execution& execution = {});
 }
 
 #endif

@@ -118,7 +118,7 @@ Drawn threeSheets(int heightOfThird)
 TEST(Trimming, KeepsTheBettiNumbersOfRandomComplexes)
 {
   int trimmed = 0;
-  for (unsigned seed = 500; seed < 800; ++seed)
+  for (unsigned seed = 500; seed < 1100; ++seed)
   {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
@@ -136,7 +136,8 @@ TEST(Trimming, KeepsTheBettiNumbersOfRandomComplexes)
       ball = random() % 2 == 0 ? None : ball;
     }
     std::vector<FacePolygon> polygons = d.polygons;
-    const std::vector<char> gone = medial::trimSheets(d.geometry, polygons);
+    const auto trim = seed < 800 ? medial::trimSheets : medial::trimFlaps;
+    const std::vector<char> gone = trim(d.geometry, polygons, {});
     EXPECT_EQ(bettiNumbers(polygons), bettiNumbers(d.polygons));
     for (const FacePolygon& polygon : polygons)
     {
@@ -147,7 +148,7 @@ TEST(Trimming, KeepsTheBettiNumbersOfRandomComplexes)
     }
     trimmed += polygons.size() != d.polygons.size();
   }
-  EXPECT_GT(trimmed, 100);
+  EXPECT_GT(trimmed, 200);
 }
 
 TEST(Trimming, CutsSheetsApartThatAreOneAroundTheEndOfAThird)
@@ -197,5 +198,25 @@ TEST(Trimming, LeavesOutPiecesWithoutAPoleOfTheirOwn)
     const std::vector<char> gone = medial::trimSheets(d.geometry, polygons);
     EXPECT_EQ(polygons.size() + (isPole ? 0 : 1), d.polygons.size());
     EXPECT_EQ(gone[tip] == 0, isPole);
+  }
+}
+
+TEST(Trimming, LeavesOutFlapsThatLieOnASheet)
+{
+  for (const bool hasPole : { false, true })
+  {
+    SCOPED_TRACE(testing::Message() << "with a pole of its own: " << hasPole);
+    Drawing drawing;
+    drawing.sheet(Point::Zero(), Point(1, 0, 0), Point(0, 1, 0), 4, 4);
+    const Index tip = hasPole ? drawing.point(2.9, 2.1, 0.1) : drawing.point(3, 2, 0);
+    drawing.triangle(drawing.point(1, 1, 0), drawing.point(2, 2, 0), tip);
+    const Drawn d = drawn(drawing, { Point(2, 2, 3), Point(2, 2, -3) }, [](const Triangle&) {
+      return Edge{ 0, 1 };
+    });
+    std::vector<FacePolygon> polygons = d.polygons;
+    medial::trimSheets(d.geometry, polygons);
+    EXPECT_EQ(polygons.size(), 33u); // equally far from the same sites: one sheet
+    medial::trimFlaps(d.geometry, polygons);
+    EXPECT_EQ(polygons.size(), hasPole ? 33u : 32u);
   }
 }
