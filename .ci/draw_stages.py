@@ -22,6 +22,8 @@ PICTURE = FILTERS / "stages.svg"
 Stage = collections.namedtuple("Stage", "does filter gives arrays")
 
 FLOW = {
+    "Samples": Stage("samples the surface of a solid", "vtkBoundarySamples", "samples",
+                     ["Normals", "Spacing", "SourceCell"]),
     "Balls": Stage("finds the balls inside and outside", "vtkPolarBalls", "balls",
                    ["Radius", "Side", "Volume"]),
     "Axis": Stage("builds the medial axis from the inner balls", "vtkMedialAxis", "medial axis",
@@ -34,7 +36,7 @@ FLOW = {
                    ["PartId", "InnerBall", "OuterBall"]),
 }
 FOUNDATION = "Base"  # holds what all stages share, and takes no part in the flow
-FIRST_DATA, LAST_DATA = "samples", "surface"
+FIRST_DATA, LAST_DATA = "mesh", "surface"
 SECOND_INPUT = "balls"  # of the last stage
 
 WIDTH, LEFT, BOX, LINE = 810, 20, 710, 18

@@ -253,8 +253,8 @@ void toWorld(const Frame& frame, PolarBalls& balls)
 }
 }
 
-PolarBallsAndSamples polarBallsAndSamples(
-  const std::vector<Point>& samples, const MergeOptions& options, const Execution& execution)
+PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
+  const MergeOptions& options, const Execution& execution, const SurfaceTree* solid)
 {
   const DistinctSamples distinct = distinctSamples(samples, options);
   requireVolume(distinct);
@@ -277,17 +277,22 @@ PolarBallsAndSamples polarBallsAndSamples(
       ballsOfSample[s][k] = poleClasses[s][k] == None ? None : ballOfCell[poleClasses[s][k]];
     }
   }
-  result.sides = sides({ distinct.points, ballsOfSample, result.balls, result.touchesGuard, edges },
-    execution.between(0.8, 0.9));
+  const SideInput evidence{ distinct.points, ballsOfSample, result.balls, result.touchesGuard,
+    edges };
+  result.sides = solid ? sidesIn(*solid, distinct.frame, evidence, execution.between(0.8, 0.9))
+                       : sides(evidence, execution.between(0.8, 0.9));
   measureVolumes(spheres, ballOfCell, ballsOfSample, result, execution);
   assignBalls(distinct, ballsOfSample, result);
   made.samples = describeSamples(distinct, ballsOfSample, result.balls);
   result.spacing = meanSpacing(spheres);
   made.powerShape = markedBetti(mesh, edges, innerBalls(result.sides));
-  made.samples.warnings =
-    sampleDoubts({ samples, distinct, ballsOfSample, result.balls, result.sides, result.ballSamples,
-                   mesh, edges, made.powerShape },
-      execution.between(0.9, 1));
+  if (!solid) // else the solid tells whether the result is right
+  {
+    made.samples.warnings =
+      sampleDoubts({ samples, distinct, ballsOfSample, result.balls, result.sides,
+                     result.ballSamples, mesh, edges, made.powerShape },
+        execution.between(0.9, 1));
+  }
   toWorld(distinct.frame, result);
   made.samples.mergeTolerance = distinct.tolerance;
   execution.report(1);

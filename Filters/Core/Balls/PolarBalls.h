@@ -5,6 +5,7 @@
 #include "Balls/DistinctSamples.h"
 #include "Base/Execution.h"
 #include "Base/Lists.h"
+#include "Base/SurfaceTree.h"
 #include "Base/Types.h"
 #include "Base/Warnings.h"
 
@@ -63,11 +64,14 @@ struct PolarBallsAndSamples
 ///
 /// @param samples  points of the boundary of a solid, any unit; repeated points count once
 /// @param options  which points count as repeated
+/// @param solid    the surface of the solid, if it is known: then it tells the sides, and nothing is
+///                 doubted: the power shape's Betti numbers are to be compared with its own. Closed
 /// @throw InvalidInput  fewer than 4 distinct points, all on a line or in a plane, or a coordinate
 ///                      or an option that is not finite
 /// @throw Aborted
 PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
-  const MergeOptions& options = {}, const Execution& execution = {});
+  const MergeOptions& options = {}, const Execution& execution = {},
+  const SurfaceTree* solid = nullptr);
 
 /// The polar balls alone.
 PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execution = {});

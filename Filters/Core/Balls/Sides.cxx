@@ -130,6 +130,20 @@ void spread(const Links& links, Beliefs& beliefs, std::vector<Side>& sides)
     }
   }
 }
+
+/// A ball in no cell of the regular triangulation is hidden.
+void hideUnused(const std::vector<Edge>& edges, std::vector<Side>& sides)
+{
+  std::vector<char> visible(sides.size(), 0);
+  for (const auto& [a, b] : edges)
+  {
+    visible[a] = visible[b] = 1;
+  }
+  for (std::size_t b = 0; b < sides.size(); ++b)
+  {
+    sides[b] = visible[b] ? sides[b] : Side::Hidden;
+  }
+}
 }
 
 std::vector<Side> sides(const SideInput& input, const Execution& execution)
@@ -146,15 +160,22 @@ std::vector<Side> sides(const SideInput& input, const Execution& execution)
   const Links network = links(pairs(input), count(input.balls));
   execution.report(0.5);
   spread(network, beliefs, result);
-  std::vector<char> visible(result.size(), 0);
-  for (const auto& [a, b] : input.edges)
-  {
-    visible[a] = visible[b] = 1;
-  }
-  for (std::size_t b = 0; b < result.size(); ++b)
-  {
-    result[b] = visible[b] ? result[b] : Side::Hidden;
-  }
+  hideUnused(input.edges, result);
+  execution.report(1);
+  return result;
+}
+
+std::vector<Side> sidesIn(
+  const SurfaceTree& solid, const Frame& frame, const SideInput& input, const Execution& execution)
+{
+  std::vector<Side> result(input.balls.size(), Side::Outer);
+  execution.forEach(count(result), [&](Index b) {
+    if (!input.touchesGuard[b] && solid.encloses(frame.toWorld(input.balls[b].center)))
+    {
+      result[b] = Side::Inner;
+    }
+  });
+  hideUnused(input.edges, result);
   execution.report(1);
   return result;
 }

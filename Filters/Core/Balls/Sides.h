@@ -3,6 +3,8 @@
 #define medial_Sides_h
 
 #include "Base/Execution.h"
+#include "Base/Frame.h"
+#include "Base/SurfaceTree.h"
 #include "Base/Types.h"
 
 #include <vector>
@@ -26,6 +28,11 @@ struct SideInput
 /// are on the same side; the two poles of a sample are on opposite sides. A ball that no label
 /// reaches is outer. A ball in no cell is hidden.
 std::vector<Side> sides(const SideInput& input, const Execution& execution = {});
+
+/// The same where the surface of the solid is known: a ball is inner if its centre is inside.
+/// @param frame  of the balls; the surface is in world coordinates
+std::vector<Side> sidesIn(const SurfaceTree& solid, const Frame& frame, const SideInput& input,
+  const Execution& execution = {});
 }
 
 #endif

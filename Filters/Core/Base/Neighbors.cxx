@@ -46,27 +46,28 @@ Neighbors::Neighbors(const std::vector<Point>& points)
 
 Neighbors::~Neighbors() = default;
 
-std::vector<Index> Neighbors::nearest(Index point, Index howMany) const
+std::vector<Index> Neighbors::nearest(const Point& place, Index howMany) const
 {
-  const Kernel::Point_3 query = toKernel(this->implementation->points[point]);
-  const Search search(this->implementation->tree, query, static_cast<unsigned>(howMany) + 1);
+  const Search search(this->implementation->tree, toKernel(place), static_cast<unsigned>(howMany));
   std::vector<std::pair<double, Index>> found;
   for (const auto& [numbered, squaredDistance] : search)
   {
-    if (numbered.second != point)
-    {
-      found.emplace_back(squaredDistance, numbered.second);
-    }
+    found.emplace_back(squaredDistance, numbered.second);
   }
   std::sort(found.begin(), found.end()); // the lowest number first among equals
   std::vector<Index> result;
   for (const auto& entry : found)
   {
-    if (count(result) < howMany)
-    {
-      result.push_back(entry.second);
-    }
+    result.push_back(entry.second);
   }
+  return result;
+}
+
+std::vector<Index> Neighbors::nearest(Index point, Index howMany) const
+{
+  std::vector<Index> result = this->nearest(this->implementation->points[point], howMany + 1);
+  const auto self = std::find(result.begin(), result.end(), point);
+  result.erase(self == result.end() ? result.end() - 1 : self);
   return result;
 }
 

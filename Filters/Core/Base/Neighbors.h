@@ -21,6 +21,9 @@ public:
   /// may search at the same time.
   std::vector<Index> nearest(Index point, Index howMany) const;
 
+  /// The points nearest to a place, nearest first; fewer where there are not so many.
+  std::vector<Index> nearest(const Point& place, Index howMany) const;
+
   /// The points, itself among them, that are at most so far from a point; in no particular order.
   std::vector<Index> within(Index point, double distance) const;
 

@@ -4,11 +4,11 @@
 
 #include "Balls/PolarBalls.h"
 #include "Base/Execution.h"
+#include "Base/SolidMeasures.h"
 #include "Base/Types.h"
 #include "Base/Warnings.h"
 #include "Crust/CrustOptions.h"
 #include "Crust/CrustSurface.h"
-#include "Crust/SolidMeasures.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Crust/SolidMeasures.h"
+#include "Base/SolidMeasures.h"
 
 #include "Base/DisjointSets.h"
 

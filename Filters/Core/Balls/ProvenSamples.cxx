@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Balls/ProvenSamples.h"
+
+#include "Balls/Crossings.h"
+#include "Balls/PolarBalls.h"
+
+#include <algorithm>
+
+namespace medial
+{
+namespace
+{
+std::vector<Point> positions(const BoundarySamples& samples)
+{
+  std::vector<Point> result;
+  for (const SurfacePoint& sample : samples.points)
+  {
+    result.push_back(sample.position);
+  }
+  return result;
+}
+
+Warning notEnough(const Betti& made, const Betti& solid, const std::vector<Point>& places)
+{
+  const auto inWords = [](const Betti& b) { return text(b[0], ", ", b[1], " and ", b[2]); };
+  return { "too_few_samples",
+    text("the samples give ", inWords(made), " pieces, tunnels and voids, but the surface has ",
+      inWords(solid), ", and in ", places.size(), places.size() == 1 ? " place" : " places",
+      " they don't keep inside and outside apart; take a smaller fineness, or mend the surface "
+      "there"),
+    count(places), places.empty() ? std::optional<Point>() : places.front(), true };
+}
+}
+
+ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tree,
+  const SamplingOptions& options, Index rounds, const Execution& execution)
+{
+  BoundarySampler sampler(surface, tree, options, execution.between(0, 0.3));
+  ProvenSamples result;
+  result.samples = sampler.samples(execution.between(0.3, 0.4));
+  result.warnings = result.samples.warnings;
+  double done = 0.4;
+  while (rounds > 0)
+  {
+    const double half = done + (1 - done) / 2;
+    const PolarBallsAndSamples made =
+      polarBallsAndSamples(positions(result.samples), {}, execution.between(done, half), &tree);
+    if (made.powerShape == surface.measures.betti)
+    {
+      break;
+    }
+    const std::vector<Point> places = crossings(made.balls, tree);
+    if (result.rounds == rounds || places.empty())
+    {
+      result.warnings.push_back(notEnough(made.powerShape, surface.measures.betti, places));
+      break;
+    }
+    ++result.rounds;
+    sampler.refine(places);
+    done = half + (1 - half) / 4;
+    result.samples = sampler.samples(execution.between(half, done));
+    result.warnings = result.samples.warnings;
+  }
+  execution.report(1);
+  return result;
+}
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/SurfaceTree.h"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/Surface_mesh.h>
+
+namespace medial
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Inside = CGAL::Side_of_triangle_mesh<Mesh, Kernel, CGAL::Default, Tree>;
+
+Kernel::Point_3 toKernel(const Point& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
+
+Point fromKernel(const Kernel::Point_3& p)
+{
+  return { p.x(), p.y(), p.z() };
+}
+
+/// Each triangle has its own corners: the searches don't ask how triangles hang together, and so no
+/// surface is refused.
+Mesh meshOf(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+{
+  Mesh mesh;
+  mesh.reserve(3 * count(triangles), 3 * count(triangles), count(triangles));
+  for (const Triangle& t : triangles)
+  {
+    mesh.add_face(mesh.add_vertex(toKernel(points[t[0]])), mesh.add_vertex(toKernel(points[t[1]])),
+      mesh.add_vertex(toKernel(points[t[2]])));
+  }
+  return mesh;
+}
+
+std::vector<Mesh::Face_index> facesWithArea(
+  const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+{
+  std::vector<Mesh::Face_index> result;
+  for (Index t = 0; t < count(triangles); ++t)
+  {
+    const auto& [a, b, c] = triangles[t];
+    if (!CGAL::collinear(toKernel(points[a]), toKernel(points[b]), toKernel(points[c])))
+    {
+      result.emplace_back(t);
+    }
+  }
+  return result;
+}
+}
+
+struct SurfaceTree::Implementation
+{
+  Implementation(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+    : mesh(meshOf(points, triangles))
+    , faces(facesWithArea(points, triangles))
+    , tree(faces.begin(), faces.end(), mesh)
+    , inside(tree)
+  {
+    this->tree.build(); // else the first search would build it, on each thread
+    this->tree.accelerate_distance_queries();
+  }
+
+  Mesh mesh;
+  std::vector<Mesh::Face_index> faces;
+  Tree tree;
+  Inside inside;
+};
+
+SurfaceTree::SurfaceTree(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+  : implementation(new Implementation(points, triangles))
+{
+}
+
+SurfaceTree::SurfaceTree(SurfaceTree&& other) noexcept = default;
+SurfaceTree::~SurfaceTree() = default;
+
+SurfaceTree::Place SurfaceTree::nearest(const Point& point) const
+{
+  const auto found = this->implementation->tree.closest_point_and_primitive(toKernel(point));
+  return { fromKernel(found.first), static_cast<Index>(found.second.idx()) };
+}
+
+std::optional<SurfaceTree::Place> SurfaceTree::firstMet(
+  const Point& from, const Point& direction, Index skipped) const
+{
+  const Kernel::Ray_3 ray(
+    toKernel(from), Kernel::Vector_3(direction.x(), direction.y(), direction.z()));
+  const auto skip = [skipped](
+                      Mesh::Face_index face) { return static_cast<Index>(face.idx()) == skipped; };
+  const auto met = this->implementation->tree.first_intersection(ray, skip);
+  if (!met)
+  {
+    return {};
+  }
+  const auto* point = boost::get<Kernel::Point_3>(&met->first);
+  const auto* segment = boost::get<Kernel::Segment_3>(&met->first);
+  return Place{ fromKernel(point ? *point : segment->source()),
+    static_cast<Index>(met->second.idx()) };
+}
+
+bool SurfaceTree::encloses(const Point& point) const
+{
+  return this->implementation->inside(toKernel(point)) == CGAL::ON_BOUNDED_SIDE;
+}
+}

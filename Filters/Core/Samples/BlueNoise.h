@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_BlueNoise_h
+#define medial_BlueNoise_h
+
+#include "Base/Execution.h"
+#include "Samples/LocalThickness.h"
+#include "Samples/SpacingField.h"
+
+#include <vector>
+
+namespace medial
+{
+/// Triangles with their normals and areas.
+struct TriangleSet
+{
+  const std::vector<Point>& points;
+  const std::vector<Triangle>& triangles;
+  std::vector<Point> normals; ///< of length 1; 0 where there is no area
+  std::vector<double> areas;
+};
+
+TriangleSet triangleSet(const std::vector<Point>& points, const std::vector<Triangle>& triangles);
+
+/// About how many samples the spacing asks for.
+double expectedSamples(
+  const TriangleSet& surface, const SpacingField& spacing, const Execution& execution = {});
+
+/// Random samples of a surface that are evenly spread: no two are nearer than the spacing at the first one,
+/// and almost no gap is wider. The same surface gives the same samples.
+///
+/// Candidates are thrown at the triangles, several for each sample; in random order each is taken, and
+/// those within its spacing are dropped. O(n log n).
+/// @param taken  samples that there are already, which keep others away; a little less far, so that no
+///               wide gap remains beside them
+std::vector<SurfacePoint> blueNoise(const TriangleSet& surface, const SpacingField& spacing,
+  const std::vector<SurfacePoint>& taken, const Execution& execution = {});
+}
+
+#endif

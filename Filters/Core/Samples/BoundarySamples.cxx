@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Samples/BoundarySamples.h"
+
+#include "Samples/SharpEdges.h"
+
+#include <algorithm>
+#include <cmath>
+
+// Coarse samples measure the thickness around them, which gives a spacing everywhere; samples with that
+// spacing measure it again. What is thinner than the first ones could see is seen by those. This is
+// repeated until the spacing stays. Each round measures only at samples that are new.
+namespace medial
+{
+namespace
+{
+void check(const SamplingOptions& options)
+{
+  if (!(options.fineness > 0 && options.fineness <= 1))
+  {
+    throw InvalidInput("the fineness must be above 0 and at most 1, it is ", options.fineness);
+  }
+  if (!(options.spacing >= 0) || !std::isfinite(options.spacing))
+  {
+    throw InvalidInput("the spacing must be 0 or more, it is ", options.spacing);
+  }
+  if (options.maximumSamples < 4)
+  {
+    throw InvalidInput("there must be room for 4 samples, not ", options.maximumSamples);
+  }
+  if (!(options.sharpAngle > 0 && options.sharpAngle <= 180))
+  {
+    throw InvalidInput(
+      "the sharp angle must be above 0 and at most 180 degrees, it is ", options.sharpAngle);
+  }
+}
+
+/// The spacing of samples that show what the surface's points show, and enough of a surface with few.
+double usualSpacing(const ClosedSurface& surface)
+{
+  const double samples = std::clamp<double>(count(surface.points), 20000, 50000);
+  return std::sqrt(0.7 * surface.area / samples);
+}
+
+/// Where the thickness was measured, and the spacing that it asks for.
+struct Probes
+{
+  std::vector<Point> places;
+  std::vector<double> spacings;
+};
+}
+
+struct BoundarySampler::Implementation
+{
+  Implementation(const ClosedSurface& surface, const SurfaceTree& theTree,
+    const SamplingOptions& theOptions, const Execution& execution)
+    : triangles(triangleSet(surface.points, surface.triangles))
+    , tree(theTree)
+    , options(theOptions)
+    , lines(sharpLines(triangles, theOptions.sharpAngle))
+    , largest(theOptions.spacing > 0 ? theOptions.spacing : usualSpacing(surface))
+    , field(this->largest)
+  {
+    if (this->options.adaptive)
+    {
+      this->adapt(execution);
+    }
+    else
+    {
+      this->limit(execution);
+    }
+  }
+
+  /// Measures the thickness and fills the field.
+  void adapt(const Execution& execution)
+  {
+    constexpr double coarse = 2; // times the largest spacing: a quarter of the samples
+    SpacingField before(coarse * this->largest);
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round)
+    {
+      const Execution part =
+        execution.between(round / double(rounds), (round + 1) / double(rounds));
+      const std::vector<SurfacePoint> at =
+        blueNoise(this->triangles, before, {}, part.between(0, 0.5));
+      const Index finer = this->measure(at, before, part.between(0.5, 1));
+      this->field = SpacingField(this->largest, this->probes.places, this->probes.spacings);
+      this->limit(part);
+      constexpr double few = 0.001; // of the samples: the next round would hardly differ
+      if (round > 0 && finer <= few * count(at))
+      {
+        break;
+      }
+      before = this->field;
+    }
+  }
+
+  /// Adds what is measured at samples. @return  how many ask for much less than the spacing was
+  Index measure(
+    const std::vector<SurfacePoint>& at, const SpacingField& before, const Execution& execution)
+  {
+    const std::vector<double> thickness =
+      localThickness(at, this->tree, this->triangles.normals, execution);
+    Index finer = 0;
+    for (std::size_t i = 0; i < at.size(); ++i)
+    {
+      const double wanted =
+        std::clamp(this->options.fineness * thickness[i], this->smallest(), this->largest);
+      finer += wanted < 0.7 * before.at(at[i].position);
+      this->probes.places.push_back(at[i].position);
+      this->probes.spacings.push_back(wanted);
+    }
+    return finer;
+  }
+
+  /// Walls come as close as one likes at the tip of a wedge; samples don't.
+  double smallest() const { return this->largest / 64; }
+
+  /// Widens the smallest spacings until there is room for all samples.
+  void limit(const Execution& execution)
+  {
+    double least = 0;
+    while (expectedSamples(this->triangles, this->field, execution) > this->options.maximumSamples)
+    {
+      least = std::max(1.2 * least, this->smallest());
+      this->field = this->field.atLeast(least);
+    }
+    this->warnings.clear();
+    if (least > 0)
+    {
+      this->warnings.push_back({ "too_many_samples",
+        text("samples are nowhere closer than ", least, ", so that there are not more than ",
+          this->options.maximumSamples,
+          "; thin places may be wrong: allow more samples, or sample a part of the surface"),
+        1, this->field.tightest(), true });
+    }
+  }
+
+  TriangleSet triangles;
+  const SurfaceTree& tree;
+  SamplingOptions options;
+  std::vector<SharpLine> lines;
+  double largest;
+  Probes probes;
+  SpacingField field;
+  Warnings warnings;
+};
+
+BoundarySampler::BoundarySampler(const ClosedSurface& surface, const SurfaceTree& tree,
+  const SamplingOptions& options, const Execution& execution)
+{
+  check(options);
+  this->implementation = std::make_unique<Implementation>(surface, tree, options, execution);
+}
+
+BoundarySampler::~BoundarySampler() = default;
+
+BoundarySamples BoundarySampler::samples(const Execution& execution) const
+{
+  const Implementation& known = *this->implementation;
+  const std::vector<SurfacePoint> pairs =
+    mirroredSamples(known.triangles, known.tree, known.field, known.lines);
+  BoundarySamples result;
+  result.mirrored = count(pairs);
+  result.points = blueNoise(known.triangles, known.field, pairs, execution.between(0, 0.9));
+  result.spacings.resize(result.points.size());
+  execution.between(0.9, 1).forEach(count(result.points),
+    [&](Index i) { result.spacings[i] = known.field.at(result.points[i].position); });
+  result.warnings = known.warnings;
+  return result;
+}
+
+void BoundarySampler::refine(const std::vector<Point>& places)
+{
+  Implementation& known = *this->implementation;
+  for (const Point& place : places)
+  {
+    known.probes.places.push_back(place);
+    known.probes.spacings.push_back(known.field.at(place) / 2);
+  }
+  known.field = SpacingField(known.largest, known.probes.places, known.probes.spacings);
+  known.limit({});
+}
+}

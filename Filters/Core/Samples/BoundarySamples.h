@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_BoundarySamples_h
+#define medial_BoundarySamples_h
+
+#include "Base/Execution.h"
+#include "Samples/ClosedSurface.h"
+#include "Samples/LocalThickness.h"
+
+#include <memory>
+#include <vector>
+
+namespace medial
+{
+struct SamplingOptions
+{
+  /// How far samples are apart at most, as a fraction of the thickness of the solid and of the gaps there.
+  double fineness = 0.25;
+
+  /// Nowhere farther apart; 0: so that a surface without thin places gets as many samples as it has
+  /// points, but at least 20,000 and at most 50,000.
+  double spacing = 0;
+
+  bool adaptive = true; ///< false: the same spacing everywhere
+
+  Index maximumSamples = 1000000;
+
+  double sharpAngle = 30; ///< between the normals at an edge where samples come in pairs; degrees
+};
+
+/// Samples of a closed surface that suit its medial axis.
+struct BoundarySamples
+{
+  std::vector<SurfacePoint> points; ///< triangles are those of the surface
+  std::vector<double> spacings;     ///< that was asked for at each
+  Index mirrored = 0;               ///< so many of them, the first ones, are pairs at sharp edges
+  Warnings warnings;
+};
+
+/// Samples a closed surface, more densely where it is told to.
+///
+/// Samples are random, evenly spread, and closer together where the solid or a gap is thin, so that
+/// opposite walls are several samples apart; in mirrored pairs along sharp edges. Thickness is measured
+/// on the surface itself. The same surface gives the same samples. O(n log n) for n samples and triangles.
+class BoundarySampler
+{
+public:
+  /// Finds out how far samples may be apart.
+  /// @param surface, tree  are referred to
+  /// @throw InvalidInput   an option is out of range
+  /// @throw Aborted
+  BoundarySampler(const ClosedSurface& surface, const SurfaceTree& tree,
+    const SamplingOptions& options = {}, const Execution& execution = {});
+  ~BoundarySampler();
+
+  /// @throw Aborted
+  BoundarySamples samples(const Execution& execution = {}) const;
+
+  /// Halves the spacing at places, for the next samples.
+  void refine(const std::vector<Point>& places);
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation;
+};
+}
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_LocalThickness_h
+#define medial_LocalThickness_h
+
+#include "Base/Execution.h"
+#include "Base/SurfaceTree.h"
+#include "Base/Types.h"
+
+#include <vector>
+
+namespace medial
+{
+/// A point of a surface.
+struct SurfacePoint
+{
+  Point position;
+  Point normal; ///< of its triangle, outwards, of length 1
+  Index triangle;
+};
+
+/// How thick the solid is at samples of its surface, or the gap outside, whichever is less: the diameter
+/// of the largest ball that touches the surface there and is free of it, if the ball touches an opposite
+/// wall, or the surface bends around it. Infinite where the ball only reaches into an edge, and where there is
+/// nothing opposite.
+///
+/// Exact straight across; beside that, what is thinner than the samples are apart can be missed.
+/// Costs a few searches in trees for each sample.
+/// @param triangleNormals  of the surface in the tree, of length 1
+std::vector<double> localThickness(const std::vector<SurfacePoint>& samples,
+  const SurfaceTree& tree, const std::vector<Point>& triangleNormals,
+  const Execution& execution = {});
+}
+
+#endif

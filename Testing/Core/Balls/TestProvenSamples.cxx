@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Balls/ProvenSamples.h"
+
+#include "Balls/Crossings.h"
+#include "Balls/PolarBalls.h"
+#include "Executions.h"
+#include "Meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace
+{
+using medial::Betti;
+using medial::ClosedSurface;
+using medial::Index;
+using medial::Point;
+using medial::PolarBallsAndSamples;
+using medial::ProvenSamples;
+using medial::SamplingOptions;
+using medial::Side;
+using medial::SurfaceTree;
+using meshes::Mesh;
+
+/// A closed surface with its tree.
+struct Solid
+{
+  explicit Solid(const Mesh& mesh)
+    : surface(medial::closedSurface(mesh.points, mesh.polygons))
+    , tree(surface.points, surface.triangles)
+  {
+  }
+
+  ProvenSamples samples(
+    const SamplingOptions& options, Index rounds, const medial::Execution& execution = {}) const
+  {
+    return medial::provenSamples(this->surface, this->tree, options, rounds, execution);
+  }
+
+  PolarBallsAndSamples balls(const ProvenSamples& made) const
+  {
+    std::vector<Point> positions;
+    for (const medial::SurfacePoint& sample : made.samples.points)
+    {
+      positions.push_back(sample.position);
+    }
+    return medial::polarBallsAndSamples(positions, {}, {}, &this->tree);
+  }
+
+  ClosedSurface surface;
+  SurfaceTree tree;
+};
+
+SamplingOptions withSpacing(double spacing, bool adaptive = true)
+{
+  SamplingOptions options;
+  options.spacing = spacing;
+  options.adaptive = adaptive;
+  return options;
+}
+
+Mesh twoBoxes(double gap)
+{
+  const Mesh cube = meshes::box(Point::Zero(), Point::Ones());
+  return meshes::united(cube, meshes::moved(cube, Point(1 + gap, 0, 0)));
+}
+
+void expectProven(const Mesh& mesh, double spacing, const Betti& betti)
+{
+  const Solid solid(mesh);
+  const ProvenSamples made = solid.samples(withSpacing(spacing), 4);
+  EXPECT_TRUE(made.warnings.empty()) << made.warnings.front().text;
+  EXPECT_EQ(solid.surface.measures.betti, betti);
+  EXPECT_EQ(solid.balls(made).powerShape, betti);
+}
+
+TEST(ProvenSamples, GiveTheSolidsTopology)
+{
+  expectProven(meshes::box(Point::Zero(), Point(3, 2, 1)), 0.1, { 1, 0, 0 });
+  expectProven(meshes::torus(), 0.2, { 1, 1, 0 });
+  expectProven(meshes::iBeam(4), 0.2, { 1, 0, 0 });
+  expectProven(
+    meshes::united(meshes::sphere(), meshes::reversed(meshes::sphere(0.5))), 0.15, { 1, 0, 1 });
+}
+
+TEST(ProvenSamples, GiveTheTopologyOfThinWallsAndGaps)
+{
+  expectProven(meshes::drilledPlate(0.12), 0.2, { 1, 1, 0 });
+  expectProven(twoBoxes(0.02), 0.1, { 2, 0, 0 }); // a hundredth of the diagonal
+}
+
+TEST(ProvenSamples, BecomeDenserUntilTheyAreEnough)
+{
+  const Solid plate(meshes::drilledPlate(0.3));
+  const ProvenSamples made = plate.samples(withSpacing(0.5, false), 6);
+  EXPECT_GT(made.rounds, 0);
+  EXPECT_LE(made.rounds, 6);
+  EXPECT_TRUE(made.warnings.empty()) << made.warnings.front().text;
+  EXPECT_EQ(plate.balls(made).powerShape, plate.surface.measures.betti);
+}
+
+TEST(ProvenSamples, SayWhereTheyAreNotEnough)
+{
+  const Solid plate(meshes::drilledPlate(0.02));
+  const ProvenSamples made = plate.samples(withSpacing(0.5, false), 1);
+  EXPECT_EQ(made.rounds, 1);
+  ASSERT_EQ(made.warnings.size(), 1);
+  EXPECT_EQ(made.warnings[0].code, "too_few_samples");
+  EXPECT_TRUE(made.warnings[0].doubtsSolid);
+  EXPECT_NE(made.warnings[0].text.find("but the surface has 1, 1 and 0"), std::string::npos)
+    << made.warnings[0].text;
+  ASSERT_TRUE(made.warnings[0].place);
+  const Point place = *made.warnings[0].place;
+  EXPECT_NEAR((plate.tree.nearest(place).point - place).norm(), 0, 1e-9);
+}
+
+TEST(ProvenSamples, AreNotCheckedInNoRounds)
+{
+  const Solid plate(meshes::drilledPlate(0.02));
+  const ProvenSamples made = plate.samples(withSpacing(0.5, false), 0);
+  EXPECT_EQ(made.rounds, 0);
+  EXPECT_TRUE(made.warnings.empty());
+}
+
+TEST(ProvenSamples, CanBeStopped)
+{
+  const Solid torus(meshes::torus());
+  pipelines::expectProgressAndAbort([&torus](const medial::Execution& execution) {
+    torus.samples(withSpacing(0.3), 2, execution);
+  });
+}
+
+/// Where the surface tells the sides.
+TEST(PolarBallsInASolid, AreInnerWhereTheirCentreIs)
+{
+  const Solid plate(meshes::drilledPlate(0.3));
+  const PolarBallsAndSamples made = plate.balls(plate.samples(withSpacing(0.1), 0));
+  for (std::size_t b = 0; b < made.balls.balls.size(); ++b)
+  {
+    const bool inside = plate.tree.encloses(made.balls.balls[b].center);
+    if (made.balls.sides[b] != Side::Hidden)
+    {
+      EXPECT_EQ(made.balls.sides[b] == Side::Inner, inside);
+    }
+  }
+  EXPECT_TRUE(made.samples.warnings.empty());
+}
+
+TEST(Crossings, AreOnTheSurfaceWhereSamplesAreTooFarApart)
+{
+  const Solid fine(meshes::torus());
+  const PolarBallsAndSamples enough = fine.balls(fine.samples(withSpacing(0.15), 0));
+  EXPECT_TRUE(medial::crossings(enough.balls, fine.tree).empty());
+  const Solid plate(meshes::drilledPlate(0.02));
+  const PolarBallsAndSamples tooFew = plate.balls(plate.samples(withSpacing(0.4, false), 0));
+  const std::vector<Point> places = medial::crossings(tooFew.balls, plate.tree);
+  EXPECT_FALSE(places.empty());
+  for (const Point& place : places)
+  {
+    EXPECT_NEAR((plate.tree.nearest(place).point - place).norm(), 0, 1e-9);
+  }
+  EXPECT_EQ(medial::crossings(tooFew.balls, plate.tree, pipelines::threaded()), places);
+}
+}

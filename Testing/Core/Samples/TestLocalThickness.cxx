@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Samples/LocalThickness.h"
+
+#include "Executions.h"
+#include "Meshes.h"
+#include "Samples/BlueNoise.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+using medial::Index;
+using medial::Point;
+using medial::SurfacePoint;
+using medial::Triangle;
+using meshes::Mesh;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Samples of a mesh, and how thick it is at each.
+struct Measured
+{
+  std::vector<SurfacePoint> samples;
+  std::vector<double> thickness;
+};
+
+Measured measured(const Mesh& mesh, double spacing, const medial::Execution& execution = {})
+{
+  const std::vector<Triangle> triangles = meshes::triangles(meshes::triangulated(mesh));
+  const medial::TriangleSet set = medial::triangleSet(mesh.points, triangles);
+  const medial::SurfaceTree tree(mesh.points, triangles);
+  Measured result;
+  result.samples = medial::blueNoise(set, medial::SpacingField(spacing), {});
+  result.thickness = medial::localThickness(result.samples, tree, set.normals, execution);
+  return result;
+}
+
+TEST(LocalThickness, OfAPlateIsItsOwn)
+{
+  const Measured plate = measured(meshes::box(Point::Zero(), Point(4, 4, 0.1)), 0.2);
+  int faces = 0;
+  for (std::size_t i = 0; i < plate.samples.size(); ++i)
+  {
+    const Point& p = plate.samples[i].position;
+    if (std::abs(plate.samples[i].normal.z()) == 1 && std::min(p.x(), p.y()) > 0.2 &&
+      std::max(p.x(), p.y()) < 3.8)
+    {
+      EXPECT_NEAR(plate.thickness[i], 0.1, 1e-9);
+      ++faces;
+    }
+  }
+  EXPECT_GT(faces, 200);
+}
+
+TEST(LocalThickness, OfAGapIsItsWidth)
+{
+  const Mesh cube = meshes::box(Point::Zero(), Point::Ones());
+  const Measured two = measured(meshes::united(cube, meshes::moved(cube, Point(1.02, 0, 0))), 0.05);
+  int beside = 0;
+  for (std::size_t i = 0; i < two.samples.size(); ++i)
+  {
+    const Point& p = two.samples[i].position;
+    const bool inGap = std::abs(p.x() - 1.01) < 0.011 && std::abs(two.samples[i].normal.x()) == 1;
+    const bool atRim = std::min(p.y(), p.z()) < 0.1 || std::max(p.y(), p.z()) > 0.9;
+    if (inGap && !atRim)
+    {
+      EXPECT_NEAR(two.thickness[i], 0.02, 1e-9);
+      ++beside;
+    }
+    else if (!inGap)
+    {
+      EXPECT_GT(two.thickness[i], 0.5);
+    }
+  }
+  EXPECT_GT(beside, 100);
+}
+
+/// A wall of the box is no less thick where another one is near.
+TEST(LocalThickness, IsNotSmallAtAnEdge)
+{
+  const Measured box = measured(meshes::box(Point::Zero(), Point::Ones()), 0.05);
+  for (std::size_t i = 0; i < box.samples.size(); ++i)
+  {
+    const Point fromMiddle = (box.samples[i].position - Point::Constant(0.5)).cwiseAbs();
+    std::array distances{ 0.5 - fromMiddle.x(), 0.5 - fromMiddle.y(), 0.5 - fromMiddle.z() };
+    std::sort(distances.begin(), distances.end()); // 0, to the nearest edge, ...
+    if (distances[1] < 0.3)
+    {
+      EXPECT_EQ(box.thickness[i], infinite);
+    }
+    EXPECT_GT(box.thickness[i], 0.9);
+  }
+}
+
+TEST(LocalThickness, OfASphereIsItsDiameter)
+{
+  const Measured ball = measured(meshes::sphere(1, 64), 0.1);
+  std::size_t found = 0;
+  for (const double thickness : ball.thickness)
+  {
+    EXPECT_GT(thickness, 1.85); // of flat pieces
+    found += thickness < 2.15;
+  }
+  EXPECT_GT(found, 0.85 * double(ball.thickness.size())); // the others are at edges of pieces
+}
+
+TEST(LocalThickness, OfABowlIsThatOfItsWall)
+{
+  const Measured bowl = measured(
+    meshes::united(meshes::sphere(1, 64), meshes::reversed(meshes::sphere(0.75, 64))), 0.05);
+  std::size_t found = 0;
+  for (const double thickness : bowl.thickness)
+  {
+    EXPECT_GT(thickness, 0.22);
+    found += thickness < 0.28;
+  }
+  EXPECT_GT(found, 0.95 * double(bowl.thickness.size()));
+}
+
+TEST(LocalThickness, DoesNotDependOnThreads)
+{
+  const Mesh mesh = meshes::torus();
+  EXPECT_EQ(measured(mesh, 0.2, pipelines::threaded()).thickness, measured(mesh, 0.2).thickness);
+}
+}
