@@ -43,14 +43,24 @@ bool parseTopology(const std::string& word)
   return word == "collapse";
 }
 
-double parseLength(const std::string& word)
+double parseLength(const char* option, const std::string& word)
 {
   double length = 0;
   if (!parseReal(word, length) || !(length >= 0) || !std::isfinite(length))
   {
-    throw UsageError("--merge-tolerance takes a length from 0 on, not '" + word + "'");
+    throw UsageError(std::string(option) + " takes a length from 0 on, not '" + word + "'");
   }
   return length;
+}
+
+double parseFineness(const std::string& word)
+{
+  double fineness = 0;
+  if (!parseReal(word, fineness) || !(fineness > 0 && fineness <= 1))
+  {
+    throw UsageError("--fineness takes a number above 0, at most 1, not '" + word + "'");
+  }
+  return fineness;
 }
 
 int parseThreads(const std::string& word)
@@ -124,7 +134,19 @@ std::vector<Option> optionsOf(Arguments& arguments)
     { "--merge-tolerance", "L",
       "takes samples so near each other for one where they stand apart from all others, in the\n"
       "unit of the samples (default: what the rounding of the file explains)",
-      [&](const std::string& value) { arguments.mergeTolerance = parseLength(value); } },
+      [&](const std::string& value) {
+        arguments.mergeTolerance = parseLength("--merge-tolerance", value);
+      } },
+    { "--points", "", "takes the vertices of a mesh as samples, not its triangles",
+      turnsOn(arguments.points) },
+    { "--fineness", "F",
+      "samples triangles at most F times the thickness of solid and gaps apart (default: 0.25)",
+      [&](const std::string& value) { arguments.fineness = parseFineness(value); } },
+    { "--spacing", "L",
+      "samples triangles nowhere farther apart, in the unit of the mesh (default: so that there "
+      "are\n"
+      "20,000 to 50,000 samples)",
+      [&](const std::string& value) { arguments.spacing = parseLength("--spacing", value); } },
     { "--threads", "N", "uses N threads (default: all; the result is the same)",
       [&](const std::string& value) { arguments.threads = parseThreads(value); } },
     { "--picture", "", "also draws the stages; needs an X server (DISPLAY), see Examples/run",

@@ -17,6 +17,9 @@ struct Arguments
   std::vector<int> partsToRemove;
   bool dropInvalid = false;   ///< leave points with NaN or infinite coordinates out
   double mergeTolerance = -1; ///< within it samples count as one; negative: what rounding explains
+  bool points = false;        ///< the vertices of a mesh are the samples, not its triangles
+  double fineness = 0;        ///< of the samples of triangles; 0: the default of vtkBoundarySamples
+  double spacing = 0;         ///< largest one of them; 0: chosen
   int threads = 0;            ///< 0: as many as the machine has
   bool picture = false;
   bool strict = false;

@@ -7,6 +7,8 @@
 #include "Tables.h"
 #include "Verdict.h"
 
+#include <vtkBoundarySamples.h>
+#include <vtkFieldData.h>
 #include <vtkMedialAxis.h>
 #include <vtkMedialPartDecomposition.h>
 #include <vtkMedialPrune.h>
@@ -187,9 +189,37 @@ std::string balls(vtkSimplifyShape* simplify)
   });
 }
 
+/// Were the triangles of the input sampled?
+bool isSampled(vtkSimplifyShape* simplify)
+{
+  return simplify->GetPolarBalls()->GetOutput()->GetFieldData()->HasArray("BettiSolid");
+}
+
+/// How the triangles were sampled.
+std::string sampling(vtkSimplifyShape* simplify, const Input& input)
+{
+  if (!isSampled(simplify))
+  {
+    return "null";
+  }
+  vtkDataObject* samples = simplify->GetPolarBalls()->GetOutput();
+  return inBraces({
+    { "polygons", number(double(input.samples->GetNumberOfPolys())) },
+    { "volume", number(fieldValue(samples, "SolidVolume")) },
+    { "area", number(fieldValue(samples, "SolidArea")) },
+    { "mergedPoints", number(fieldValue(samples, "MergedPoints")) },
+    { "droppedPolygons", number(fieldValue(samples, "DroppedPolygons")) },
+    { "filledHoles", number(fieldValue(samples, "FilledHoles")) },
+    { "refinementRounds", number(fieldValue(samples, "RefinementRounds")) },
+  });
+}
+
 std::string betti(vtkSimplifyShape* simplify)
 {
   return inBraces({
+    { "solid",
+      isSampled(simplify) ? bettiList(simplify->GetPolarBalls()->GetOutput(), "BettiSolid")
+                          : "null" },
     { "powerShape", bettiList(simplify->GetMedialAxis()->GetOutput(), "BettiPowerShape") },
     { "axis", bettiList(simplify->GetMedialAxis()->GetOutput(), "BettiAxis") },
     { "pruned", bettiList(simplify->GetMedialPrune()->GetOutput(), "BettiAxis") },
@@ -202,6 +232,7 @@ std::string times(vtkSimplifyShape* simplify, const Progress& progress, double t
   const double crusts = progress.seconds(simplify->GetUnprunedPowerCrust()) +
     progress.seconds(simplify->GetPowerCrust());
   return inBraces({
+    { "samples", seconds(progress.seconds(simplify->GetBoundarySamples())) },
     { "polarBalls", seconds(progress.seconds(simplify->GetPolarBalls())) },
     { "medialAxis", seconds(progress.seconds(simplify->GetMedialAxis())) },
     { "parts", seconds(progress.seconds(simplify->GetUnprunedPartDecomposition())) },
@@ -255,8 +286,13 @@ std::string surfaceLine(vtkSimplifyShape* simplify)
 std::string bettiLine(vtkSimplifyShape* simplify)
 {
   vtkDataObject* axis = simplify->GetMedialAxis()->GetOutput();
-  std::string line =
-    "  Betti     power shape " + joined(bettiNumbers(axis, "BettiPowerShape"), " ");
+  std::string line = "  Betti     ";
+  if (isSampled(simplify))
+  {
+    line += "solid " +
+      joined(bettiNumbers(simplify->GetPolarBalls()->GetOutput(), "BettiSolid"), " ") + ", ";
+  }
+  line += "power shape " + joined(bettiNumbers(axis, "BettiPowerShape"), " ");
   line += ", axis " + joined(bettiNumbers(axis, "BettiAxis"), " ");
   line +=
     ", pruned " + joined(bettiNumbers(simplify->GetMedialPrune()->GetOutput(), "BettiAxis"), " ");
@@ -295,7 +331,9 @@ std::string report(
   return "{\n  " +
     object(
       {
+        { "source", isSampled(simplify) ? "\"triangles\"" : "\"points\"" },
         { "samples", number(fieldValue(samples, "NumberOfSamples")) },
+        { "sampling", sampling(simplify, input) },
         { "duplicates", number(fieldValue(samples, "NumberOfDuplicates")) },
         { "mergeTolerance", number(fieldValue(samples, "MergeTolerance")) },
         { "invalid", number(double(input.invalid)) },
@@ -330,6 +368,9 @@ std::string summary(
   vtkDataObject* samples = simplify->GetPolarBalls()->GetOutput();
   std::ostringstream out;
   out << arguments.input << ": " << grouped(fieldValue(samples, "NumberOfSamples")) << " samples"
+      << (isSampled(simplify)
+             ? " on " + grouped(double(input.samples->GetNumberOfPolys())) + " polygons"
+             : "")
       << (input.invalid > 0 ? ", " + grouped(double(input.invalid)) + " invalid ones dropped" : "")
       << "\n"
       << "  balls     " << grouped(fieldValue(samples, "NumberOfInnerBalls")) << " inner, "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Simplifies the shape of a solid, given by points of its boundary, by pruning its medial axis.
+// Simplifies the shape of a solid, given by a mesh or points of its boundary, by pruning its medial axis.
 // The filter vtkSimplifyShape does the work; the program reads its input and writes its outputs.
 
 #include "Arguments.h"
@@ -17,6 +17,7 @@
 #include "Tables.h"
 #include "Verdict.h"
 
+#include <vtkBoundarySamples.h>
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
@@ -50,6 +51,10 @@ void setProperties(vtkSimplifyShape* simplify, const Arguments& arguments)
   simplify->SetSchedule(arguments.schedule.c_str());
   simplify->SetAutomatic(arguments.automatic);
   simplify->SetMergeTolerance(arguments.mergeTolerance);
+  simplify->SetUseTriangles(arguments.points ? vtkSimplifyShape::OFF : vtkSimplifyShape::AUTO);
+  vtkBoundarySamples* boundary = simplify->GetBoundarySamples();
+  boundary->SetFineness(arguments.fineness > 0 ? arguments.fineness : boundary->GetFineness());
+  boundary->SetSpacing(arguments.spacing);
   simplify->SetSplitAtNecks(arguments.splitAtNecks);
   vtkMedialPrune* prune = simplify->GetMedialPrune();
   // PartId in surface.vtp is that in pruned.vtp. The filter's own parts can differ where necks are cut,
@@ -64,6 +69,7 @@ void setProperties(vtkSimplifyShape* simplify, const Arguments& arguments)
 
 void watchStages(vtkSimplifyShape* simplify, Progress& progress)
 {
+  progress.watch("samples", simplify->GetBoundarySamples());
   progress.watch("polar balls", simplify->GetPolarBalls());
   progress.watch("medial axis", simplify->GetMedialAxis());
   progress.watch("parts", simplify->GetUnprunedPartDecomposition());

@@ -8,7 +8,8 @@
  *
  * Input: any vtkPointSet. Its points are the samples. Its cells make no difference to the result, but
  * where they are the polygons of an open surface, that is warned of. Lengths are in the
- * unit of the samples, volumes in its cube. Repeated points count once, also where they differ by
+ * unit of the samples, volumes in its cube. A second input, the surface of the solid, is optional; see
+ * SetSolidConnection(). Repeated points count once, also where they differ by
  * rounding only, see SetMergeTolerance().
  *
  * Output 0: vtkUnstructuredGrid, the balls, as the next filters take them. A point is the centre of a
@@ -39,6 +40,7 @@
  *  - `SampleSpacing` (double, > 0): mean distance of a distinct sample to the nearest other one.
  *  - `BettiPowerShape` (vtkIdType, 3 components): pieces, tunnels and voids of the power shape,
  *    which are those of the solid.
+ *  - `BettiSolid` (vtkIdType, 3 components): those of the surface of the solid, where it is known.
  *
  * Output 1: vtkPolyData, the samples, to look at. A point is a sample, in the order of the input, with
  * repeated ones; there is a vertex cell for each.
@@ -82,6 +84,8 @@
 #include "vtkFiltersMedialModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+class vtkPolyData;
+
 class VTKFILTERSMEDIAL_EXPORT vtkPolarBalls : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -103,6 +107,17 @@ public:
    */
   vtkSetMacro(MergeTolerance, double);
   vtkGetMacro(MergeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The surface of the solid, optional: triangles that are closed, in the coordinates of the samples, such
+   * as output 1 of vtkBoundarySamples. A ball is then inner if its centre is inside, the output has
+   * `BettiSolid`, and nothing about the samples is doubted: vtkPowerCrust compares the results with the
+   * solid.
+   */
+  void SetSolidConnection(vtkAlgorithmOutput* surface);
+  void SetSolidData(vtkPolyData* surface);
   ///@}
 
   /**

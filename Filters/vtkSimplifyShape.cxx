@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSimplifyShape.h"
 
+#include "Conversion/Balls.h"
+#include "Conversion/Warnings.h"
 #include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 #include "Pipeline/RunStage.h"
+#include "Samples/ClosedSurface.h"
+#include "vtkBoundarySamples.h"
 #include "vtkMedialAxis.h"
 #include "vtkMedialPartDecomposition.h"
 #include "vtkMedialPrune.h"
@@ -26,7 +30,8 @@ medialAbortMacro(vtkSimplifyShape);
 vtkSimplifyShape::vtkSimplifyShape()
 {
   this->SetNumberOfOutputPorts(4);
-  this->Balls->SetInputConnection(this->Samples->GetOutputPort());
+  this->Boundary->SetInputConnection(this->Mesh->GetOutputPort());
+  this->Balls->SetInputConnection(this->Points->GetOutputPort());
   this->Axis->SetInputConnection(this->Balls->GetOutputPort());
   this->Prune->SetInputConnection(this->Axis->GetOutputPort());
   this->Parts->SetInputConnection(this->Prune->GetOutputPort());
@@ -125,6 +130,11 @@ void vtkSimplifyShape::SetMakeUnpruned(bool make)
   }
 }
 
+vtkBoundarySamples* vtkSimplifyShape::GetBoundarySamples()
+{
+  return this->Boundary;
+}
+
 vtkPolarBalls* vtkSimplifyShape::GetPolarBalls()
 {
   return this->Balls;
@@ -168,9 +178,10 @@ const char* vtkSimplifyShape::GetErrorMessage()
 
 vtkMTimeType vtkSimplifyShape::GetMTime()
 {
-  return std::max({ this->Superclass::GetMTime(), this->Balls->GetMTime(), this->Axis->GetMTime(),
-    this->Prune->GetMTime(), this->Parts->GetMTime(), this->Crust->GetMTime(),
-    this->UnprunedParts->GetMTime(), this->UnprunedCrust->GetMTime() });
+  return std::max(
+    { this->Superclass::GetMTime(), this->Boundary->GetMTime(), this->Balls->GetMTime(),
+      this->Axis->GetMTime(), this->Prune->GetMTime(), this->Parts->GetMTime(),
+      this->Crust->GetMTime(), this->UnprunedParts->GetMTime(), this->UnprunedCrust->GetMTime() });
 }
 
 int vtkSimplifyShape::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
@@ -191,18 +202,80 @@ int vtkSimplifyShape::RequestUpdateExtent(
   return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 
-/// Only samples that have changed make balls and axis again. They go to a producer of their own, since
-/// an input of the balls would change the balls and with them, while it works, this filter.
-void vtkSimplifyShape::SetSamples(vtkPointSet* input)
+/// A copy, which has no pipeline behind it.
+static vtkSmartPointer<vtkPointSet> copyOf(vtkPointSet* input)
 {
-  if (input->GetMTime() == this->SamplesTime)
+  const auto result = vtkSmartPointer<vtkPointSet>::Take(input->NewInstance());
+  result->ShallowCopy(input);
+  return result;
+}
+
+/// Only an input that has changed is sampled again. It goes to a producer of its own, since an input of
+/// the stages would change them and with them, while it works, this filter.
+void vtkSimplifyShape::SetInput(vtkPointSet* input)
+{
+  if (input->GetMTime() != this->InputTime)
   {
+    this->Mesh->SetOutput(copyOf(input));
+    this->Points->SetOutput(copyOf(input));
+    this->NotSolid.clear();
+    this->InputTime = input->GetMTime();
+  }
+}
+
+/// Makes the balls of the points of the input.
+/// @param notSolid  why its polygons are not sampled, if that is to be told
+void vtkSimplifyShape::TakePoints(vtkPointSet* input, const std::string& notSolid)
+{
+  if (notSolid != this->NotSolid)
+  {
+    const auto points = copyOf(input);
+    medial::addWarnings(points->GetFieldData(),
+      { medial::notASolid(notSolid, static_cast<medial::Index>(input->GetNumberOfCells())) });
+    this->Points->SetOutput(points);
+    this->NotSolid = notSolid;
+  }
+  if (this->Balls->GetNumberOfInputConnections(1) > 0)
+  {
+    this->Balls->SetSolidConnection(nullptr);
+    this->Balls->SetInputConnection(this->Points->GetOutputPort());
+  }
+}
+
+/// Makes the balls of the samples of the polygons.
+void vtkSimplifyShape::TakeSamples()
+{
+  if (this->Balls->GetNumberOfInputConnections(1) == 0)
+  {
+    this->Balls->SetInputConnection(this->Boundary->GetOutputPort(0));
+    this->Balls->SetSolidConnection(this->Boundary->GetOutputPort(1));
+  }
+}
+
+/// Samples the polygons of the input, or takes its points.
+void vtkSimplifyShape::ReadSource(vtkPointSet* input, const medial::Execution& execution)
+{
+  this->SetInput(input);
+  const bool hasPolygons = this->UseTriangles == ON || medial::readPolygons(input).size() > 0;
+  if (this->UseTriangles == OFF || !hasPolygons)
+  {
+    this->TakePoints(input, "");
     return;
   }
-  const auto samples = vtkSmartPointer<vtkPointSet>::Take(input->NewInstance());
-  samples->ShallowCopy(input); // a copy has no pipeline behind it
-  this->Samples->SetOutput(samples);
-  this->SamplesTime = input->GetMTime();
+  try
+  {
+    medial::runStages(this, { { this->Boundary, 1 } }, execution);
+    this->TakeSamples();
+  }
+  catch (const medial::InvalidInput& error)
+  {
+    if (this->UseTriangles == ON)
+    {
+      throw;
+    }
+    vtkWarningMacro(<< medial::notASolid(error.what(), 0).text);
+    this->TakePoints(input, error.what());
+  }
 }
 
 int vtkSimplifyShape::RequestData(
@@ -218,8 +291,8 @@ int vtkSimplifyShape::RequestData(
         { this->Parts, 0.05 }, { this->Crust, 0.15 } };
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
-      this->SetSamples(input);
-      medial::runStages(this, stages, execution);
+      this->ReadSource(input, execution.between(0, 0.2));
+      medial::runStages(this, stages, execution.between(0.2, 1));
       vtkDataObject::GetData(outputVector, 0)->ShallowCopy(this->Crust->GetOutput());
       vtkDataObject::GetData(outputVector, 1)->ShallowCopy(this->Parts->GetOutput());
       vtkDataObject::GetData(outputVector, 2)->ShallowCopy(this->Parts->GetOutputDataObject(1));
@@ -234,7 +307,9 @@ void vtkSimplifyShape::PrintSelf(ostream& os, vtkIndent indent)
     os << indent << name << ":\n";
     stage->PrintSelf(os, indent.GetNextIndent());
   };
+  os << indent << "UseTriangles: " << this->UseTriangles << "\n";
   os << indent << "MakeUnpruned: " << (this->MakeUnpruned ? "on" : "off") << "\n";
+  print("BoundarySamples", this->Boundary);
   print("PolarBalls", this->Balls);
   print("MedialAxis", this->Axis);
   print("MedialPrune", this->Prune);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSimplifyShape
- * @brief   from points of a solid's boundary to a simplified closed surface
+ * @brief   from a mesh, or points of a solid's boundary, to a simplified closed surface
  *
- * The medial axis pipeline in one filter: vtkPolarBalls, vtkMedialAxis, vtkMedialPrune,
+ * The medial axis pipeline in one filter: vtkBoundarySamples, vtkPolarBalls, vtkMedialAxis, vtkMedialPrune,
  * vtkMedialPartDecomposition and vtkPowerCrust, one after another. The methods below set the
  * properties that are needed most often. Set the others on the stages, which belong to the filter.
  *
- * Input: any vtkPointSet. Its points are the samples, see vtkPolarBalls.
+ * Input: any vtkPointSet. If it has polygons that bound a solid, these are sampled by
+ * vtkBoundarySamples, and everything is compared with that solid. Else its points are the samples, see
+ * vtkPolarBalls. SetUseTriangles() chooses.
  *
  * Output 0: vtkPolyData, the simplified surface, see vtkPowerCrust.
  * Output 1: vtkPolyData, the pruned axis with its parts, see vtkMedialPrune.
@@ -38,6 +40,11 @@
 
 #include <string> // for the words of a schedule
 
+namespace medial
+{
+struct Execution;
+}
+class vtkBoundarySamples;
 class vtkMedialAxis;
 class vtkMedialPartDecomposition;
 class vtkMedialPrune;
@@ -74,6 +81,22 @@ public:
   void AddIteration(int measure, double threshold, int passes = 0);
   void AddIterationByName(const char* measure, double threshold, int passes = 0);
   void AddIterationFromText(const char* measure, const char* threshold, const char* passes);
+  ///@}
+
+  /// What becomes of the polygons of the input.
+  enum TriangleUse
+  {
+    AUTO = 0, ///< are sampled if they bound a solid; if they don't, a warning tells why
+    ON = 1,   ///< are sampled; it is an error if they don't bound a solid
+    OFF = 2   ///< make no difference; the points are the samples
+  };
+
+  ///@{
+  /**
+   * Sample the polygons of the input? Default AUTO.
+   */
+  vtkSetClampMacro(UseTriangles, int, AUTO, OFF);
+  vtkGetMacro(UseTriangles, int);
   ///@}
 
   ///@{
@@ -125,6 +148,7 @@ public:
    * The stages, in the order in which they run: to set their other properties and, after an update, to
    * read their outputs. Their inputs are connected already; update this filter, not the stages.
    */
+  vtkBoundarySamples* GetBoundarySamples(); ///< runs where polygons are sampled
   vtkPolarBalls* GetPolarBalls();
   vtkMedialAxis* GetMedialAxis();
   vtkMedialPrune* GetMedialPrune();
@@ -166,11 +190,18 @@ private:
   vtkSimplifyShape(const vtkSimplifyShape&) = delete;
   void operator=(const vtkSimplifyShape&) = delete;
 
-  void SetSamples(vtkPointSet* input);
+  void SetInput(vtkPointSet* input);
+  void TakePoints(vtkPointSet* input, const std::string& notSolid);
+  void TakeSamples();
+  void ReadSource(vtkPointSet* input, const medial::Execution& execution);
 
-  vtkMTimeType SamplesTime = 0;
+  int UseTriangles = AUTO;
+  vtkMTimeType InputTime = 0;
   bool MakeUnpruned = false;
-  vtkNew<vtkTrivialProducer> Samples;
+  std::string NotSolid;              ///< why the polygons of the input were not sampled
+  vtkNew<vtkTrivialProducer> Mesh;   ///< the input
+  vtkNew<vtkTrivialProducer> Points; ///< the input with a warning, where its points are the samples
+  vtkNew<vtkBoundarySamples> Boundary;
   vtkNew<vtkPolarBalls> Balls;
   vtkNew<vtkMedialAxis> Axis;
   vtkNew<vtkMedialPrune> Prune;

@@ -11,6 +11,19 @@ namespace names
 // vtkShareOutObjects: field data, a single value
 constexpr const char* ObjectId = "ObjectId";
 
+// vtkBoundarySamples: points of the samples
+constexpr const char* Normals = "Normals";
+constexpr const char* Spacing = "Spacing";
+constexpr const char* SourceCell = "SourceCell"; // and of the surface's cells
+// ... field data, single values; passed on to all later filters
+constexpr const char* BettiSolid = "BettiSolid"; // vtkPolarBalls with a solid, too
+constexpr const char* SolidVolume = "SolidVolume";
+constexpr const char* SolidArea = "SolidArea";
+constexpr const char* MergedPoints = "MergedPoints";
+constexpr const char* DroppedPolygons = "DroppedPolygons";
+constexpr const char* FilledHoles = "FilledHoles";
+constexpr const char* RefinementRounds = "RefinementRounds";
+
 // Input of vtkPolarBalls: field data, a single value
 constexpr const char* SampleResolution = "SampleResolution";
 

@@ -15,7 +15,12 @@ Findings readFindings(vtkUnstructuredGrid* balls, vtkPolyData* axis)
 {
   Findings result;
   vtkFieldData* ballField = balls->GetFieldData();
-  result.powerShape = Arrays(ballField, "field", TakePolarBalls).betti(names::BettiPowerShape);
+  const Arrays ballArrays(ballField, "field", TakePolarBalls);
+  result.powerShape = ballArrays.betti(names::BettiPowerShape);
+  if (ballArrays.has(names::BettiSolid))
+  {
+    result.solid = ballArrays.betti(names::BettiSolid);
+  }
   result.warnings = readWarnings(ballField);
   if (axis)
   {

@@ -59,12 +59,14 @@ class Simplified(NamedTuple):
 
 def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
              progress: Callable[[float], Any] | None = None,
-             merge_tolerance: float | None = None) -> Simplified:
-    """Simplifies the solid that is given by points of its boundary.
+             merge_tolerance: float | None = None,
+             use_triangles: bool | None = None) -> Simplified:
+    """Simplifies the solid that is given by a mesh, or by points of its boundary.
 
     Other threads of Python go on meanwhile. Ctrl-C stops it within a second.
 
-    points    an array of shape (n, 3), or a vtkPointSet
+    points    an array of shape (n, 3), or a vtkPointSet; a mesh is one with polygons, whose surface is
+              sampled if it bounds a solid
     schedule  in words, like "t5 t5 v1%", see vtkMedialPrune; or iterations (measure, threshold) or
               (measure, threshold, passes), where measure is a name like "RelativeVolume"; None: the
               default of vtkMedialPrune
@@ -73,6 +75,8 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
               stops the work, too, and is raised again
     merge_tolerance  samples within this distance of each other are one where they stand apart from all
               others, see MergeTolerance of vtkPolarBalls; None: what the rounding of the points explains
+    use_triangles  True: it is an error if the polygons don't bound a solid; False: the points of the mesh
+              are the samples; None: decided by the mesh, with a warning where it bounds none
     Raises ValueError where the points or the schedule can't be used; the message says why.
     Issues a MedialAxisWarning for each doubt, and where the surface is not certified.
     """
@@ -82,6 +86,8 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
     filter.SetInputData(points if isinstance(points, vtkPointSet) else _cloud(points))
     if merge_tolerance is not None:
         filter.SetMergeTolerance(merge_tolerance)
+    if use_triangles is not None:
+        filter.SetUseTriangles(filter.ON if use_triangles else filter.OFF)
     if isinstance(schedule, str):
         filter.SetSchedule(schedule)
     elif schedule is not None:

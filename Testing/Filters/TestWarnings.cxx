@@ -196,8 +196,11 @@ TEST(Warnings, OfStagesAreWarningsOfTheWholeFilter)
   simplify->MakeUnprunedOn();
   const ErrorLog log(simplify, vtkCommand::WarningEvent);
   simplify->Update();
-  ASSERT_EQ(log.messages().size(), 1u) << testing::PrintToString(log.messages());
-  EXPECT_NE(log.messages()[0].find("The surface is open"), std::string::npos);
+  ASSERT_EQ(log.messages().size(), 2u) << testing::PrintToString(log.messages());
+  EXPECT_NE(log.messages()[0].find("don't bound a solid"), std::string::npos);
+  EXPECT_NE(log.messages()[1].find("The surface is open"), std::string::npos);
+  EXPECT_EQ(texts(simplify->GetOutput(), "WarningCode"),
+    (std::vector<std::string>{ "not_a_solid", "open_surface" }));
   EXPECT_EQ(texts(simplify->GetOutput(), "Verdict"), std::vector<std::string>{ "certified" });
 }
 

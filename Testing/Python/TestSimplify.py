@@ -16,6 +16,7 @@ from medialaxis import arrays, simplify
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 
 
 def ellipsoid(count=800):
@@ -114,20 +115,35 @@ class Simplify(unittest.TestCase):
             with warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter("always")
                 result = simplify(points)
-            open_surface, made_up = sorted(result.doubts, reverse=True)
+            open_surface, not_a_solid, made_up = sorted(result.doubts, reverse=True)
             self.assertEqual(made_up, ("made_up", "A test has made this up.", 7, (1, 2, 3), doubts_solid))
             self.assertEqual(open_surface.code, "open_surface")
             self.assertEqual(open_surface.count, 3)
+            self.assertEqual(not_a_solid.code, "not_a_solid")
             self.assertEqual(medialaxis.doubts_of(result.axis), result.doubts)
             texts = [str(warning.message) for warning in caught]
-            self.assertEqual(texts[:2], [doubt.text for doubt in result.doubts])
+            self.assertEqual(texts[:3], [doubt.text for doubt in result.doubts])
             self.assertEqual(result.verdict.certified, not doubts_solid)
-            self.assertEqual(len(texts), 3 if doubts_solid else 2)
+            self.assertEqual(len(texts), 4 if doubts_solid else 3)
             if doubts_solid:
-                self.assertIn("not certified: " + result.verdict.reasons[0], texts[2])
+                self.assertIn("not certified: " + result.verdict.reasons[0], texts[3])
             for warning in caught:
                 self.assertIs(warning.category, medialaxis.MedialAxisWarning)
                 self.assertEqual(warning.filename, __file__)
+
+    def test_samples_the_triangles_of_a_mesh(self):
+        box = vtkCubeSource()
+        box.SetLengths(3, 2, 1)
+        box.Update()
+        result = simplify(box.GetOutput())
+        self.assertTrue(result.verdict.certified, result.verdict)
+        self.assertEqual(result.doubts, [])
+        self.assertEqual(arrays(result.surface)["BettiSolid"].tolist(), [[1, 0, 0]])
+        self.assertAlmostEqual(float(arrays(result.surface)["Volume"][0]), 6, delta=0.06)
+        with self.assertRaisesRegex(ValueError, "inside"):
+            simplify(box.GetOutput(), use_triangles=False)
+        with self.assertRaisesRegex(ValueError, "no polygons"):
+            simplify(ellipsoid(), use_triangles=True)
 
     def test_says_what_is_wrong(self):
         with self.assertRaisesRegex(ValueError, "shape"):

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkBoundarySamples.h"
+
+#include "Balls/ProvenSamples.h"
+#include "Conversion/Arrays.h"
+#include "Conversion/Surface.h"
+#include "Pipeline/Abort.h"
+#include "Pipeline/ReportErrors.h"
+#include "Pipeline/ReportWarnings.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkBoundarySamples);
+medialAbortMacro(vtkBoundarySamples);
+
+vtkBoundarySamples::vtkBoundarySamples()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+int vtkBoundarySamples::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+int vtkBoundarySamples::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return medial::requestWholeInputs(this, request, inputVector, outputVector);
+}
+
+int vtkBoundarySamples::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  vtkPolyData* samples = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* closed = vtkPolyData::GetData(outputVector, 1);
+  return medial::reportErrors(
+    this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
+      const medial::ClosedSurface surface = medial::readSurface(input, execution.between(0, 0.2));
+      const medial::SurfaceTree tree(surface.points, surface.triangles);
+      const auto most = std::min<vtkIdType>(this->MaximumSamples, medial::Largest);
+      const medial::SamplingOptions options{ this->Fineness, this->Spacing, this->Adaptive,
+        static_cast<medial::Index>(most), this->SharpAngle };
+      const medial::ProvenSamples made = medial::provenSamples(
+        surface, tree, options, this->MaximumRounds, execution.between(0.2, 1));
+      medial::write(made, surface, input, samples, closed);
+      medial::reportWarnings(this, surface.warnings, { samples, closed });
+      medial::reportWarnings(this, made.warnings, { samples, closed });
+    });
+}
+
+void vtkBoundarySamples::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Fineness: " << this->Fineness << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "Adaptive: " << (this->Adaptive ? "on" : "off") << "\n";
+  os << indent << "MaximumSamples: " << this->MaximumSamples << "\n";
+  os << indent << "SharpAngle: " << this->SharpAngle << "\n";
+  os << indent << "MaximumRounds: " << this->MaximumRounds << "\n";
+}
