@@ -44,7 +44,8 @@
  *    pruned.
  *  - `TopologyKept` (unsigned char): 1; 0 once a pruning was allowed to change the topology.
  *  - `Certificate` (unsigned char): 1 where `BettiAxis` and `BettiPowerShape` are equal.
- *  - `Fallback` (unsigned char): 1 where the axis was made by collapse of the power shape.
+ *  - `Fallback` (unsigned char): 1 where the axis, or connected pieces of it, was made by collapse
+ *    of the power shape.
  *  - `Kappa` (double): which Voronoi vertices were candidates, see README.md; -1 with the fallback.
  *  - `NumberOfOffAxisBalls` (vtkIdType): inner balls that are not on the axis.
  *

@@ -10,8 +10,9 @@ Warnings axisWarnings(const MedialAxis& axis)
     return {};
   }
   return { { "fallback",
-    "The medial axis is the collapsed power shape (fallback): its topology is right, its "
-    "triangles are coarser. More samples, or samples with less noise, may avoid it.",
+    "The medial axis, or connected pieces of it, is the collapsed power shape (fallback): its "
+    "topology is right, its triangles are coarser there. More samples, or samples with less noise, "
+    "may avoid it.",
     axis.cells.size(), {}, false } };
 }
 }

@@ -5,6 +5,7 @@
 #include "Axis/Carving.h"
 #include "Axis/DualComplex.h"
 #include "Axis/Erosion.h"
+#include "Axis/PieceRepair.h"
 #include "Axis/ShapeCollapse.h"
 #include "Axis/SingularPoints.h"
 #include "Axis/SiteTriangulation.h"
@@ -173,7 +174,8 @@ MedialAxis medialAxis(
   MedialAxis axis = axisFromSites(polarBalls, shape, execution.between(0.1, 0.9));
   if (axis.betti != shape.betti && options.fallback == AxisFallback::Collapse)
   {
-    axis = axisOf(collapsedShape(polarBalls, shape, execution));
+    const AxisComplex exact = collapsedShape(polarBalls, shape, execution);
+    axis = axisOf(repairedPieces(axis, exact, piecesOfBalls(shape, polarBalls.sides)));
     axis.betti = bettiNumbers(axis.cells);
     axis.fallback = true;
     axis.kappa = -1;

@@ -28,7 +28,8 @@ struct MedialAxis : AxisComplex
   Betti powerShapeBetti;
   Betti betti;      ///< of points and cells above, computed from them
   bool certificate; ///< betti == powerShapeBetti
-  bool fallback;    ///< made by collapse of the power shape, not from the singular points
+  bool fallback;    ///< pieces of it, maybe all, were made by collapse of the power shape, not from
+                    ///< the singular points
   double kappa;     ///< least depth of the candidates that were taken, see insideCells() in
                     ///< Carving.h and depth in SiteTriangulation.h; -1 with the fallback
 };
