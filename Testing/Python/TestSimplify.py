@@ -133,7 +133,8 @@ class Simplify(unittest.TestCase):
 
     def test_samples_the_triangles_of_a_mesh(self):
         box = vtkCubeSource()
-        box.SetLengths(3, 2, 1)
+        box.SetXLength(3)
+        box.SetYLength(2)
         box.Update()
         result = simplify(box.GetOutput())
         self.assertTrue(result.verdict.certified, result.verdict)
