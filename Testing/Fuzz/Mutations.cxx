@@ -14,6 +14,7 @@
 #include <vtkStringArray.h>
 #include <vtkType.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -119,7 +120,8 @@ std::string moveValues(const Chosen& chosen, Random& random)
 std::string changeLength(const Chosen& chosen, Random& random)
 {
   const vtkIdType count = chosen.array->GetNumberOfTuples();
-  const vtkIdType lengths[] = { 0, 1, count - 1, count + 1, count / 2, 2 * count };
+  const vtkIdType shorter = std::max<vtkIdType>(count - 1, 0);
+  const vtkIdType lengths[] = { 0, 1, shorter, count + 1, count / 2, 2 * count };
   const vtkIdType length = lengths[random.below(6)];
   chosen.array->Resize(length);
   chosen.array->SetNumberOfTuples(length);
