@@ -56,6 +56,7 @@ std::vector<Index> Neighbors::nearest(const Point& place, Index howMany) const
   }
   std::sort(found.begin(), found.end()); // the lowest number first among equals
   std::vector<Index> result;
+  result.reserve(found.size());
   for (const auto& entry : found)
   {
     result.push_back(entry.second);

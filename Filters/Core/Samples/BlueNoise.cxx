@@ -174,6 +174,7 @@ std::vector<SurfacePoint> blueNoise(const TriangleSet& surface, const SpacingFie
   std::vector<SurfacePoint> result = taken;
   const std::vector<Candidate> all = candidates(surface, spacing, execution.between(0, 0.4));
   std::vector<Point> places;
+  places.reserve(taken.size() + all.size());
   for (const SurfacePoint& sample : taken)
   {
     places.push_back(sample.position);

@@ -52,6 +52,7 @@ std::vector<double> localThickness(const std::vector<SurfacePoint>& samples,
   const SurfaceTree& tree, const std::vector<Point>& triangleNormals, const Execution& execution)
 {
   std::vector<Point> places;
+  places.reserve(samples.size());
   for (const SurfacePoint& sample : samples)
   {
     places.push_back(sample.position);

@@ -177,10 +177,11 @@ std::vector<LinePlace> placesOn(
   {
     return result;
   }
-  const double share = lengths.back() / std::round(lengths.back());
+  const auto shares = static_cast<int>(std::round(lengths.back()));
   std::size_t e = 0;
-  for (double s = share / 2; s < lengths.back(); s += share)
+  for (int i = 0; i < shares; ++i)
   {
+    const double s = (i + 0.5) * lengths.back() / shares;
     while (e + 1 < line.size() && lengths[e + 1] < s)
     {
       ++e;
