@@ -62,7 +62,7 @@ class SimplifyShape(ProgramTest):
     def options(self):
         """Each option of --help with an example of its value, or None if it takes none."""
         examples = {"DIR": self.path("none"), '"W W ..."': "t5", "WORD": "none", "ID,ID": "0,1",
-                    "N": "1", "L": "0.1"}
+                    "N": "1", "L": "0.1", "F": "0.2"}
         text = self.run_program("--help").stdout
         found = re.findall(r"^  (--[a-z-]+)(?: (\S.*?))?  ", text, re.M)
         return {name: examples[placeholder] if placeholder else None
@@ -120,8 +120,9 @@ class SimplifyShape(ProgramTest):
         self.assertEqual(set(os.listdir(out)), DATA)
         self.assertEqual(report["samples"], 1500)
         self.assertEqual(report["duplicates"], 0)
-        self.assertEqual(report["betti"], dict.fromkeys(
-            ("powerShape", "axis", "pruned", "crust"), [1, 0, 0]))
+        self.assertEqual(report["betti"], {"solid": None, **dict.fromkeys(
+            ("powerShape", "axis", "pruned", "crust"), [1, 0, 0])})
+        self.assertEqual((report["source"], report["sampling"]), ("points", None))
         self.assertIs(report["certificate"], True)
         self.assertEqual(report["verdict"], {"name": "certified", "differs": []})
         self.assertEqual(report["warnings"], [])
@@ -169,7 +170,7 @@ class SimplifyShape(ProgramTest):
             done = self.run_program(self.write_xyz(points), "--output", out, "--strict")
             with open(os.path.join(out, "report.json")) as file:
                 report = json.load(file)
-            betti = report["betti"].values()
+            betti = [numbers for numbers in report["betti"].values() if numbers]
             against = sum(numbers != report["betti"]["powerShape"] for numbers in betti)
             against += sum(warning["doubtsSolid"] for warning in report["warnings"])
             name = "not certified" if against else "certified"
@@ -238,8 +239,30 @@ class SimplifyShape(ProgramTest):
 
     def test_torus_keeps_its_tunnel(self):
         report, _ = self.simplify(torus(), "--schedule", "t5 v50%", "--strict")
+        del report["betti"]["solid"]
         for betti in report["betti"].values():
             self.assertEqual(betti, [1, 1, 0])
+
+    def test_mesh_is_sampled_and_compared_with_its_solid(self):
+        box = self.write("box.obj", "".join("v %d %d %d\n" % (i & 1, (i >> 1 & 1) * 2, (i >> 2) * 3)
+                                            for i in range(8)) +
+                         "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")
+        done = self.run_program(box, "--output", self.path("box"), "--strict", "--spacing", "0.1")
+        self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
+        self.assertIn(" samples on 6 polygons", done.stdout)
+        self.assertIn("solid 1 0 0, power shape 1 0 0", done.stdout)
+        with open(self.path("box/report.json")) as file:
+            report = json.load(file)
+        self.assertEqual(report["source"], "triangles")
+        self.assertEqual(report["betti"], dict.fromkeys(
+            ("solid", "powerShape", "axis", "pruned", "crust"), [1, 0, 0]))
+        self.assertEqual(report["sampling"]["polygons"], 6)
+        self.assertAlmostEqual(report["sampling"]["volume"], 6)
+        self.assertAlmostEqual(report["sampling"]["area"], 22)
+        self.assertEqual(report["warnings"], [])
+        self.assertAlmostEqual(report["volume"]["crustBefore"], 6, delta=0.1)
+        done = self.run_program(box, "--output", self.path("corners"), "--points")
+        self.assertEqual(done.returncode, 2, "eight corners are no samples: " + done.stdout)
 
     def test_schedule_takes_every_measure(self):
         words = "t1 v0% p0% a0 m1 m1% r1 r1% o10 l1 l1% e0.1 e1% h0.1 h1% b0.1 b1%"

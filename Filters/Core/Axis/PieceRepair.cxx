@@ -80,6 +80,8 @@ public:
   /// The number of a point, or None.
   Index known(Index point) const { return this->numbers[point]; }
   void forget(Index point) { this->numbers[point] = None; }
+  /// Counts from 0 again.
+  void restart() { this->next = 0; }
 
 private:
   Index& next;
@@ -116,7 +118,6 @@ std::vector<Betti> bettiOfPieces(const AxisComplex& axis, const IndexLists& cell
   for (Index piece = 0; piece < cells.size(); ++piece)
   {
     AxisCells own;
-    next = 0;
     for (const Index cell : cells[piece])
     {
       append(axis.cells, cell, numbers, own);
@@ -126,6 +127,7 @@ std::vector<Betti> bettiOfPieces(const AxisComplex& axis, const IndexLists& cell
     {
       forPoints(axis.cells, cell, [&numbers](Index p) { numbers.forget(p); });
     }
+    numbers.restart();
   }
   return result;
 }

@@ -103,6 +103,7 @@ std::vector<Index> corners(const IndexLists::View& polygon, const std::vector<In
 std::vector<Triangle> triangulated(const std::vector<Index>& polygon, const Soup& soup)
 {
   std::vector<Kernel::Point_3> line;
+  line.reserve(polygon.size());
   for (const Index p : polygon)
   {
     line.push_back(soup.points[p]);
@@ -113,6 +114,7 @@ std::vector<Triangle> triangulated(const std::vector<Index>& polygon, const Soup
     pmp::triangulate_hole_polyline(line, std::back_inserter(found));
   }
   std::vector<Triangle> result;
+  result.reserve(polygon.size());
   for (const auto& t : found)
   {
     result.push_back({ polygon[t.first], polygon[t.second], polygon[t.third] });
