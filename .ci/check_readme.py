@@ -6,7 +6,6 @@
 """
 
 import glob
-import math
 import os
 import re
 import subprocess
@@ -30,17 +29,17 @@ def run(*command, **environment):
     subprocess.run(command, cwd=scratch, env={**os.environ, **environment}, check=True)
 
 
-def write_bunny(count=1200):
-    """Not quite a bunny: an ellipsoid, in the file that the programs read."""
-    lines = ["ply", "format ascii 1.0", "element vertex %d" % count]
-    lines += ["property float %s" % axis for axis in "xyz"] + ["end_header"]
-    golden = math.pi * (3 - math.sqrt(5))
-    for i in range(count):
-        z = 1 - (2 * i + 1) / count
-        r = math.sqrt(1 - z * z)
-        lines.append("%.9g %.9g %.9g" % (r * math.cos(golden * i), 0.7 * r * math.sin(golden * i),
-                                         0.5 * z))
-    write("bunny.ply", "\n".join(lines) + "\n")
+def write_part():
+    """A box, in the file that the programs read."""
+    corners = [(x, 2 * y, 3 * z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+    triangles = [(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7),
+                 (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5)]
+    lines = ["solid box"]
+    for triangle in triangles:
+        lines += ["facet normal 0 0 0", "outer loop"]
+        lines += ["vertex %d %d %d" % corners[corner] for corner in triangle]
+        lines += ["endloop", "endfacet"]
+    write("part.stl", "\n".join(lines) + "\nendsolid box\n")
 
 
 def check_python():
@@ -58,10 +57,10 @@ def check_cxx():
     write("CMakeLists.txt", """cmake_minimum_required(VERSION 3.18)
 project(Readme LANGUAGES C CXX)
 find_package(MedialAxis REQUIRED)
-find_package(VTK REQUIRED COMPONENTS IOPLY)
+find_package(VTK REQUIRED COMPONENTS IOGeometry)
 add_executable(program program.cxx)
 target_compile_features(program PRIVATE cxx_std_17)
-target_link_libraries(program PRIVATE VTK::FiltersMedial VTK::IOPLY)
+target_link_libraries(program PRIVATE VTK::FiltersMedial VTK::IOGeometry)
 """)
     run("cmake", "-S", ".", "-B", ".", "-G", "Ninja", "-DCMAKE_PREFIX_PATH=" + prefix,
         "--log-level=ERROR")
@@ -70,6 +69,6 @@ target_link_libraries(program PRIVATE VTK::FiltersMedial VTK::IOPLY)
 
 
 os.makedirs(scratch, exist_ok=True)
-write_bunny()
+write_part()
 check_python()
 check_cxx()
