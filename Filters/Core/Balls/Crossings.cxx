@@ -7,11 +7,11 @@
 
 namespace medial
 {
-std::vector<Point> crossings(
+std::vector<Crossing> crossings(
   const PolarBalls& balls, const SurfaceTree& solid, const Execution& execution)
 {
   const std::vector<Edge> edges = edgeNumbers(balls.cells, count(balls.balls)).edges;
-  std::vector<std::optional<Point>> met(edges.size());
+  std::vector<std::optional<Crossing>> met(edges.size());
   execution.forEach(count(edges), [&](Index e) {
     const auto& [a, b] = edges[e];
     if (balls.sides[a] == balls.sides[b] && balls.sides[a] != Side::Hidden)
@@ -21,16 +21,16 @@ std::vector<Point> crossings(
       const auto found = solid.firstMet(from, across, None);
       if (found && (found->point - from).squaredNorm() < across.squaredNorm())
       {
-        met[e] = found->point;
+        met[e] = Crossing{ found->point, balls.balls[a].radius < balls.balls[b].radius ? a : b };
       }
     }
   });
-  std::vector<Point> result;
-  for (const std::optional<Point>& place : met)
+  std::vector<Crossing> result;
+  for (const std::optional<Crossing>& crossing : met)
   {
-    if (place)
+    if (crossing)
     {
-      result.push_back(*place);
+      result.push_back(*crossing);
     }
   }
   return result;

@@ -13,8 +13,13 @@ namespace medial
 /// Where the power diagram contradicts the surface of the solid: neighbouring balls of the same side with the
 /// surface between their centres. The samples are too far apart there: they don't keep both sides
 /// apart.
-/// @return  a point of the surface between each such pair
-std::vector<Point> crossings(
+struct Crossing
+{
+  Point place;   ///< of the surface, between the two
+  Index smaller; ///< of the two balls
+};
+
+std::vector<Crossing> crossings(
   const PolarBalls& balls, const SurfaceTree& solid, const Execution& execution = {});
 }
 

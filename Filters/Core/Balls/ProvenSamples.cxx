@@ -20,7 +20,26 @@ std::vector<Point> positions(const BoundarySamples& samples)
   return result;
 }
 
-Warning notEnough(const Betti& made, const Betti& solid, const std::vector<Point>& places)
+/// Where the crossings are, and the samples of their smaller balls, which are around them.
+std::vector<Point> tooFarApart(const std::vector<Crossing>& crossings, const PolarBalls& balls)
+{
+  std::vector<Point> result;
+  std::vector<Index> samples;
+  for (const Crossing& crossing : crossings)
+  {
+    result.push_back(crossing.place);
+    const auto own = balls.ballSamples[crossing.smaller];
+    samples.insert(samples.end(), own.begin(), own.end());
+  }
+  sortUnique(samples);
+  for (const Index sample : samples)
+  {
+    result.push_back(balls.samples[sample]);
+  }
+  return result;
+}
+
+Warning notEnough(const Betti& made, const Betti& solid, const std::vector<Crossing>& places)
 {
   const auto inWords = [](const Betti& b) { return text(b[0], ", ", b[1], " and ", b[2]); };
   return { "too_few_samples",
@@ -28,7 +47,7 @@ Warning notEnough(const Betti& made, const Betti& solid, const std::vector<Point
       inWords(solid), ", and in ", places.size(), places.size() == 1 ? " place" : " places",
       " they don't keep inside and outside apart; take a smaller fineness, or mend the surface "
       "there"),
-    count(places), places.empty() ? std::optional<Point>() : places.front(), true };
+    count(places), places.empty() ? std::optional<Point>() : places.front().place, true };
 }
 }
 
@@ -49,14 +68,14 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
     {
       break;
     }
-    const std::vector<Point> places = crossings(made.balls, tree);
+    const std::vector<Crossing> places = crossings(made.balls, tree);
     if (result.rounds == rounds || places.empty())
     {
       result.warnings.push_back(notEnough(made.powerShape, surface.measures.betti, places));
       break;
     }
     ++result.rounds;
-    sampler.refine(places);
+    sampler.refine(tooFarApart(places, made.balls));
     done = half + (1 - half) / 4;
     result.samples = sampler.samples(execution.between(half, done));
     result.warnings = result.samples.warnings;

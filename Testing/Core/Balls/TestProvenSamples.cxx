@@ -156,12 +156,17 @@ TEST(Crossings, AreOnTheSurfaceWhereSamplesAreTooFarApart)
   EXPECT_TRUE(medial::crossings(enough.balls, fine.tree).empty());
   const Solid plate(meshes::drilledPlate(0.02));
   const PolarBallsAndSamples tooFew = plate.balls(plate.samples(withSpacing(0.4, false), 0));
-  const std::vector<Point> places = medial::crossings(tooFew.balls, plate.tree);
-  EXPECT_FALSE(places.empty());
-  for (const Point& place : places)
+  const std::vector<medial::Crossing> found = medial::crossings(tooFew.balls, plate.tree);
+  const std::vector<medial::Crossing> again =
+    medial::crossings(tooFew.balls, plate.tree, pipelines::threaded());
+  ASSERT_FALSE(found.empty());
+  ASSERT_EQ(again.size(), found.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
   {
+    const Point& place = found[i].place;
     EXPECT_NEAR((plate.tree.nearest(place).point - place).norm(), 0, 1e-9);
+    EXPECT_EQ(again[i].place, place);
+    EXPECT_EQ(again[i].smaller, found[i].smaller);
   }
-  EXPECT_EQ(medial::crossings(tooFew.balls, plate.tree, pipelines::threaded()), places);
 }
 }
