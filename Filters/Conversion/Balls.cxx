@@ -145,7 +145,7 @@ void addPolygons(
     }
     return;
   }
-  if (cellType == VTK_PIXEL)
+  if (cellType == VTK_PIXEL && corners.size() == 4)
   {
     std::swap(corners[2], corners[3]); // a pixel's points are not in order around it
   }
