@@ -100,26 +100,18 @@ void writeBalls(const PolarBalls& balls, vtkUnstructuredGrid* output)
   add<vtkDoubleArray>(ballData, names::PoleVolume, balls.poleVolumes);
 }
 
-/// The samples may be the surface of an earlier run: the verdict on that stays behind. The unit of the
-/// samples is not that of what is made from them.
-void passInput(vtkPointSet* input, vtkFieldData* output)
+/// The unit of the samples is not that of what is made from them.
+void passInputOfSamples(vtkPointSet* input, vtkFieldData* output)
 {
-  output->PassData(input->GetFieldData());
-  output->RemoveArray(names::Verdict);
-  output->RemoveArray(names::VerdictReasons);
+  passInput(input, output);
   output->RemoveArray(names::SampleResolution);
 }
 
 /// A vertex for each sample, so that they can be drawn and picked.
 void writeSamples(const PolarBallsAndSamples& made, vtkPolyData* output)
 {
-  std::vector<std::array<Index, 1>> vertices(made.balls.samples.size());
-  for (Index sample = 0; sample < count(vertices); ++sample)
-  {
-    vertices[sample] = { sample };
-  }
   output->SetPoints(points(made.balls.samples));
-  output->SetVerts(cellArray(vertices));
+  output->SetVerts(vertexForEach(count(made.balls.samples)));
   vtkPointData* sampleData = output->GetPointData();
   add<vtkDoubleArray>(sampleData, names::SamplingQuality, made.samples.quality);
   sampleData->SetActiveScalars(names::SamplingQuality);
@@ -208,12 +200,19 @@ void write(const PolarBallsAndSamples& made, vtkPointSet* input, vtkUnstructured
 {
   writeBalls(made.balls, balls);
   vtkFieldData* field = balls->GetFieldData();
-  passInput(input, field);
+  passInputOfSamples(input, field);
   addSamples(field, made.balls);
   addCounts(field, made);
   addBetti(field, names::BettiPowerShape, made.powerShape);
   writeSamples(made, samples);
-  passInput(input, samples->GetFieldData());
+  passInputOfSamples(input, samples->GetFieldData());
+}
+
+void passInput(vtkPointSet* input, vtkFieldData* output)
+{
+  output->PassData(input->GetFieldData());
+  output->RemoveArray(names::Verdict);
+  output->RemoveArray(names::VerdictReasons);
 }
 
 PolarBalls readPolarBalls(vtkUnstructuredGrid* input)

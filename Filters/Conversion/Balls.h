@@ -31,6 +31,10 @@ double sampleResolution(vtkPointSet* input);
 void write(const PolarBallsAndSamples& made, vtkPointSet* input, vtkUnstructuredGrid* balls,
   vtkPolyData* samples);
 
+/// Passes the field data of an input on. It may be the surface of an earlier run: the verdict on that stays
+/// behind.
+void passInput(vtkPointSet* input, vtkFieldData* output);
+
 /// @throw InvalidInput  an array is missing or does not fit
 PolarBalls readPolarBalls(vtkUnstructuredGrid* input);
 

@@ -8,6 +8,16 @@
 
 namespace medial
 {
+vtkSmartPointer<vtkCellArray> vertexForEach(Index pointCount)
+{
+  std::vector<std::array<Index, 1>> vertices(pointCount);
+  for (Index p = 0; p < pointCount; ++p)
+  {
+    vertices[p] = { p };
+  }
+  return cellArray(vertices);
+}
+
 std::vector<Point> readPoints(vtkPointSet* input)
 {
   std::vector<Point> result(toIndex(input->GetNumberOfPoints(), "points"));

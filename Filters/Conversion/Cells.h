@@ -42,6 +42,9 @@ vtkSmartPointer<vtkCellArray> cellArray(const Cells& cells)
   return result;
 }
 
+/// A vertex for each of so many points, so that they can be drawn and picked.
+vtkSmartPointer<vtkCellArray> vertexForEach(Index pointCount);
+
 /// @throw InvalidInput  too many points
 std::vector<Point> readPoints(vtkPointSet* input);
 

@@ -128,14 +128,12 @@ void write(const TopologyGraph& graph, const MedialParts& parts, vtkPolyData* ou
   const Index nodeCount = graph.partsOfNode.size(), partCount = graph.nodesOfPart.size();
   std::vector<Point> places = graph.nodeCentroids;
   std::vector<Index> node, part, degree;
-  std::vector<std::array<Index, 1>> vertices;
   std::vector<Edge> lines;
   for (Index i = 0; i < nodeCount; ++i)
   {
     node.push_back(i);
     part.push_back(None);
     degree.push_back(graph.partsOfNode[i].size());
-    vertices.push_back({ i });
   }
   for (Index i = 0; i < partCount; ++i)
   {
@@ -143,14 +141,13 @@ void write(const TopologyGraph& graph, const MedialParts& parts, vtkPolyData* ou
     node.push_back(None);
     part.push_back(i);
     degree.push_back(graph.nodesOfPart[i].size());
-    vertices.push_back({ nodeCount + i });
     for (const Index other : graph.nodesOfPart[i])
     {
       lines.push_back({ nodeCount + i, other });
     }
   }
   output->SetPoints(points(places));
-  output->SetVerts(cellArray(vertices));
+  output->SetVerts(vertexForEach(nodeCount + partCount));
   output->SetLines(cellArray(lines));
   std::vector<char> onLoop = graph.nodeOnLoop;
   onLoop.insert(onLoop.end(), graph.partOnLoop.begin(), graph.partOnLoop.end());

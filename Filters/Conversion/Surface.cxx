@@ -14,9 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <array>
-#include <numeric>
-
 namespace medial
 {
 namespace
@@ -30,14 +27,6 @@ void addField(const ProvenSamples& made, const ClosedSurface& surface, vtkFieldD
   addOne<vtkIdTypeArray>(field, names::DroppedPolygons, surface.repairs.droppedPolygons);
   addOne<vtkIdTypeArray>(field, names::FilledHoles, surface.repairs.filledHoles);
   addOne<vtkIdTypeArray>(field, names::RefinementRounds, made.rounds);
-}
-
-/// The samples may lie on the surface of an earlier run: the verdict on that stays behind.
-void passInput(vtkPointSet* input, vtkFieldData* output)
-{
-  output->PassData(input->GetFieldData());
-  output->RemoveArray(names::Verdict);
-  output->RemoveArray(names::VerdictReasons);
 }
 }
 
@@ -74,12 +63,7 @@ void write(const ProvenSamples& made, const ClosedSurface& surface, vtkPointSet*
 {
   const std::vector<SurfacePoint>& all = made.samples.points;
   samples->SetPoints(points(all, [](const SurfacePoint& p) { return p.position; }));
-  std::vector<std::array<Index, 1>> vertices(all.size());
-  for (Index i = 0; i < count(vertices); ++i)
-  {
-    vertices[i] = { i };
-  }
-  samples->SetVerts(cellArray(vertices));
+  samples->SetVerts(vertexForEach(count(all)));
   vtkPointData* data = samples->GetPointData();
   data->SetNormals(
     tuples<vtkFloatArray>(names::Normals, 3, all, [](const SurfacePoint& p) { return p.normal; }));

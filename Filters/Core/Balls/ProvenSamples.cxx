@@ -3,23 +3,13 @@
 
 #include "Balls/Crossings.h"
 #include "Balls/PolarBalls.h"
-
-#include <algorithm>
+#include "Base/BettiWords.h"
+#include "Base/Lists.h"
 
 namespace medial
 {
 namespace
 {
-std::vector<Point> positions(const BoundarySamples& samples)
-{
-  std::vector<Point> result;
-  for (const SurfacePoint& sample : samples.points)
-  {
-    result.push_back(sample.position);
-  }
-  return result;
-}
-
 /// Where the crossings are, and the samples of their smaller balls, which are around them.
 std::vector<Point> tooFarApart(const std::vector<Crossing>& crossings, const PolarBalls& balls)
 {
@@ -41,10 +31,9 @@ std::vector<Point> tooFarApart(const std::vector<Crossing>& crossings, const Pol
 
 Warning notEnough(const Betti& made, const Betti& solid, const std::vector<Crossing>& places)
 {
-  const auto inWords = [](const Betti& b) { return text(b[0], ", ", b[1], " and ", b[2]); };
   return { "too_few_samples",
-    text("the samples give ", inWords(made), " pieces, tunnels and voids, but the surface has ",
-      inWords(solid), ", and in ", places.size(), places.size() == 1 ? " place" : " places",
+    text("the samples give ", inWords(made), ", but the surface has ", inWords(solid), ", and in ",
+      places.size(), places.size() == 1 ? " place" : " places",
       " they don't keep inside and outside apart; take a smaller fineness, or mend the surface "
       "there"),
     count(places), places.empty() ? std::optional<Point>() : places.front().place, true };
@@ -62,8 +51,8 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
   while (rounds > 0)
   {
     const double half = done + (1 - done) / 2;
-    const PolarBallsAndSamples made =
-      polarBallsAndSamples(positions(result.samples), {}, execution.between(done, half), &tree);
+    const PolarBallsAndSamples made = polarBallsAndSamples(
+      positions(result.samples.points), {}, execution.between(done, half), &tree);
     if (made.powerShape == surface.measures.betti)
     {
       break;

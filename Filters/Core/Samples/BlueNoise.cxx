@@ -78,8 +78,6 @@ std::array<Point, 3> cornersOf(const TriangleSet& surface, Index t)
   return { surface.points[corners[0]], surface.points[corners[1]], surface.points[corners[2]] };
 }
 
-constexpr double density = 0.7; // samples in a square as wide as the spacing, measured
-
 struct Candidate
 {
   std::uint64_t order;
@@ -96,7 +94,7 @@ std::vector<Candidate> candidatesOf(
   std::vector<Candidate> result;
   forEachPiece(cornersOf(surface, t), spacing, [&](const std::array<Point, 3>& piece, double here) {
     // The part of a candidate is one with its probability.
-    const double wanted = each * density * areaOf(piece) / (here * here);
+    const double wanted = each * samplesPerSquare * areaOf(piece) / (here * here);
     const auto number = static_cast<Index>(std::floor(wanted + random.uniform()));
     for (Index i = 0; i < number; ++i)
     {
@@ -156,7 +154,7 @@ double expectedSamples(
     {
       forEachPiece(
         cornersOf(surface, t), spacing, [&](const std::array<Point, 3>& piece, double here) {
-          each[t] += density * areaOf(piece) / (here * here);
+          each[t] += samplesPerSquare * areaOf(piece) / (here * here);
         });
     }
   });
@@ -173,12 +171,8 @@ std::vector<SurfacePoint> blueNoise(const TriangleSet& surface, const SpacingFie
 {
   std::vector<SurfacePoint> result = taken;
   const std::vector<Candidate> all = candidates(surface, spacing, execution.between(0, 0.4));
-  std::vector<Point> places;
+  std::vector<Point> places = positions(taken);
   places.reserve(taken.size() + all.size());
-  for (const SurfacePoint& sample : taken)
-  {
-    places.push_back(sample.position);
-  }
   for (const Candidate& candidate : all)
   {
     places.push_back(candidate.point.position);

@@ -21,6 +21,9 @@ struct TriangleSet
 
 TriangleSet triangleSet(const std::vector<Point>& points, const std::vector<Triangle>& triangles);
 
+/// How many samples there are in a square as wide as their spacing; measured.
+constexpr double samplesPerSquare = 0.7;
+
 /// About how many samples the spacing asks for.
 double expectedSamples(
   const TriangleSet& surface, const SpacingField& spacing, const Execution& execution = {});

@@ -8,7 +8,7 @@
 
 // Coarse samples measure the thickness around them, which gives a spacing everywhere; samples with that
 // spacing measure it again. What is thinner than the first ones could see is seen by those. This is
-// repeated until the spacing stays. Each round measures only at samples that are new.
+// repeated until the spacing stays.
 namespace medial
 {
 namespace
@@ -38,7 +38,7 @@ void check(const SamplingOptions& options)
 double usualSpacing(const ClosedSurface& surface)
 {
   const double samples = std::clamp<double>(count(surface.points), 20000, 50000);
-  return std::sqrt(0.7 * surface.area / samples);
+  return std::sqrt(samplesPerSquare * surface.area / samples);
 }
 
 /// Where the thickness was measured, and the spacing that it asks for.

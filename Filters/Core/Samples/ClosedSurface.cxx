@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 // Steps: a soup of distinct points and triangles, each with the polygon that it comes from; its
@@ -185,15 +186,16 @@ std::string placeText(const Kernel::Point_3& p)
 }
 
 /// Fills holes that are small against the surface. @throw InvalidInput  others remain
-void closeBorders(Mesh& mesh, ClosedSurface& result)
+/// @param diagonal  of the surface
+void closeBorders(Mesh& mesh, double diagonal, ClosedSurface& result)
 {
   pmp::stitch_borders(mesh);
   constexpr double small = 0.05; // of the diagonal: what a scanner or a modeller missed; not a cut
-  const double largest = small * boundingBox(result.points).diagonal().norm();
   std::vector<Halfedge> cycles;
   pmp::extract_boundary_cycles(mesh, std::back_inserter(cycles));
   Index open = 0;
   Kernel::Point_3 somewhere;
+  std::optional<Point> firstFilled;
   for (const Halfedge cycle : cycles)
   {
     std::vector<Point> loop;
@@ -202,7 +204,7 @@ void closeBorders(Mesh& mesh, ClosedSurface& result)
       loop.push_back(fromKernel(mesh.point(mesh.target(h))));
     }
     std::vector<Mesh::Face_index> filled;
-    if (boundingBox(loop).diagonal().norm() <= largest)
+    if (boundingBox(loop).diagonal().norm() <= small * diagonal)
     {
       pmp::triangulate_hole(mesh, cycle, std::back_inserter(filled));
     }
@@ -213,9 +215,9 @@ void closeBorders(Mesh& mesh, ClosedSurface& result)
       ++open;
       somewhere = mesh.point(mesh.target(cycle));
     }
-    else
+    else if (!firstFilled)
     {
-      result.warnings.push_back({ "filled_holes", "", 1, loop.front(), false });
+      firstFilled = loop.front();
     }
   }
   if (open > 0)
@@ -223,21 +225,14 @@ void closeBorders(Mesh& mesh, ClosedSurface& result)
     throw InvalidInput("the surface is not closed: it has ", open, open == 1 ? " hole" : " holes",
       ", one of them at ", placeText(somewhere), "; close it");
   }
-}
-
-/// One warning for all holes.
-void tellHoles(ClosedSurface& result)
-{
-  const Index holes = result.repairs.filledHoles;
-  if (holes > 0)
+  if (const Index holes = result.repairs.filledHoles; holes > 0)
   {
-    const Point place = *result.warnings.front().place;
-    result.warnings = { { "filled_holes",
+    result.warnings.push_back({ "filled_holes",
       text(holes,
         holes == 1 ? " small hole of the surface was" : " small holes of the surface were",
         " filled with ", result.repairs.filledTriangles,
         " triangles; close the surface yourself where that is wrong"),
-      holes, place, false } };
+      holes, firstFilled, false });
   }
 }
 
@@ -333,9 +328,7 @@ ClosedSurface closedSurface(
   Mesh mesh;
   pmp::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
   execution.report(0.4);
-  result.points = points; // for the size of holes
-  closeBorders(mesh, result);
-  tellHoles(result);
+  closeBorders(mesh, boundingBox(points).diagonal().norm(), result);
   pmp::remove_degenerate_faces(mesh);
   pmp::orient_to_bound_a_volume(mesh);
   execution.report(0.6);

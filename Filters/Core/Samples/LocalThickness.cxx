@@ -48,15 +48,18 @@ double thickness(const SurfacePoint& at, const Point& inwards,
 }
 }
 
+std::vector<Point> positions(const std::vector<SurfacePoint>& samples)
+{
+  std::vector<Point> result(samples.size());
+  std::transform(samples.begin(), samples.end(), result.begin(),
+    [](const SurfacePoint& sample) { return sample.position; });
+  return result;
+}
+
 std::vector<double> localThickness(const std::vector<SurfacePoint>& samples,
   const SurfaceTree& tree, const std::vector<Point>& triangleNormals, const Execution& execution)
 {
-  std::vector<Point> places;
-  places.reserve(samples.size());
-  for (const SurfacePoint& sample : samples)
-  {
-    places.push_back(sample.position);
-  }
+  const std::vector<Point> places = positions(samples);
   const Neighbors neighbors(places);
   std::vector<double> result(samples.size());
   execution.forEach(count(samples), [&](Index i) {

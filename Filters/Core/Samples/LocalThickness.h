@@ -18,6 +18,8 @@ struct SurfacePoint
   Index triangle;
 };
 
+std::vector<Point> positions(const std::vector<SurfacePoint>& samples);
+
 /// How thick the solid is at samples of its surface, or the gap outside, whichever is less: the diameter
 /// of the largest ball that touches the surface there and is free of it, if the ball touches an opposite
 /// wall, or the surface bends around it. Infinite where the ball only reaches into an edge, and where there is

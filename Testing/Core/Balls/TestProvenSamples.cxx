@@ -110,7 +110,8 @@ TEST(ProvenSamples, SayWhereTheyAreNotEnough)
   ASSERT_EQ(made.warnings.size(), 1);
   EXPECT_EQ(made.warnings[0].code, "too_few_samples");
   EXPECT_TRUE(made.warnings[0].doubtsSolid);
-  EXPECT_NE(made.warnings[0].text.find("but the surface has 1, 1 and 0"), std::string::npos)
+  EXPECT_NE(
+    made.warnings[0].text.find("but the surface has 1 piece, 1 tunnel, 0 voids"), std::string::npos)
     << made.warnings[0].text;
   ASSERT_TRUE(made.warnings[0].place);
   const Point place = *made.warnings[0].place;

@@ -65,16 +65,6 @@ double distanceTo(const std::vector<SurfacePoint>& samples, const Point& place)
   return result;
 }
 
-std::vector<Point> positions(const std::vector<SurfacePoint>& samples)
-{
-  std::vector<Point> result;
-  for (const SurfacePoint& sample : samples)
-  {
-    result.push_back(sample.position);
-  }
-  return result;
-}
-
 /// Eight candidates for each sample leave no wider gap, in spacings; measured 1.36.
 constexpr double widest = 1.6;
 
