@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Balls/DistinctSamples.h"
 
-#include "Balls/NearDuplicates.h"
 #include "Base/Errors.h"
+#include "Base/NearDuplicates.h"
 
 #include <Eigen/Geometry>
 

@@ -3,12 +3,14 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Frame.h"
+#include "Samples/PolygonSoup.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
@@ -43,140 +45,21 @@ Point fromKernel(const Kernel::Point_3& p)
   return { p.x(), p.y(), p.z() };
 }
 
-struct Soup
+/// The oriented surface; a face for each triangle, in order.
+Mesh meshOf(const PolygonSoup& soup)
 {
   std::vector<Kernel::Point_3> points;
-  std::vector<std::vector<std::size_t>> triangles;
-  std::vector<Index> polygons; ///< for each triangle
-};
-
-/// Fills the points, each place once. @return  for each given point its place
-std::vector<Index> distinctPlaces(const std::vector<Point>& points, Soup& soup)
-{
-  std::vector<Index> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto key = [&points](Index i) {
-    return std::make_tuple(points[i].x(), points[i].y(), points[i].z());
-  };
-  std::sort(order.begin(), order.end(),
-    [&key](Index a, Index b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
-  std::vector<Index> first(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::transform(soup.points.begin(), soup.points.end(), std::back_inserter(points), toKernel);
+  for (const Triangle& t : soup.triangles)
   {
-    const bool repeated = i > 0 && key(order[i]) == key(order[i - 1]);
-    first[order[i]] = repeated ? first[order[i - 1]] : order[i];
+    triangles.push_back({ std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2]) });
   }
-  std::vector<Index> place(points.size(), None);
-  for (Index i = 0; i < count(points); ++i)
-  {
-    if (first[i] == i)
-    {
-      place[i] = count(soup.points);
-      soup.points.push_back(toKernel(points[i]));
-    }
-  }
-  for (Index i = 0; i < count(points); ++i)
-  {
-    place[i] = place[first[i]];
-  }
-  return place;
-}
-
-/// The corners of a polygon without repeats of neighbours.
-std::vector<Index> corners(const IndexLists::View& polygon, const std::vector<Index>& place)
-{
-  std::vector<Index> result;
-  for (const Index p : polygon)
-  {
-    if (result.empty() || result.back() != place[p])
-    {
-      result.push_back(place[p]);
-    }
-  }
-  while (result.size() > 1 && result.front() == result.back())
-  {
-    result.pop_back();
-  }
-  return result;
-}
-
-/// Triangles of a polygon, which need be neither flat nor convex.
-std::vector<Triangle> triangulated(const std::vector<Index>& polygon, const Soup& soup)
-{
-  std::vector<Kernel::Point_3> line;
-  line.reserve(polygon.size());
-  for (const Index p : polygon)
-  {
-    line.push_back(soup.points[p]);
-  }
-  std::vector<CGAL::Triple<int, int, int>> found;
-  if (polygon.size() > 3)
-  {
-    pmp::triangulate_hole_polyline(line, std::back_inserter(found));
-  }
-  std::vector<Triangle> result;
-  result.reserve(polygon.size());
-  for (const auto& t : found)
-  {
-    result.push_back({ polygon[t.first], polygon[t.second], polygon[t.third] });
-  }
-  for (std::size_t i = 2; found.empty() && i < polygon.size(); ++i)
-  {
-    result.push_back({ polygon[0], polygon[i - 1], polygon[i] });
-  }
-  return result;
-}
-
-/// Drops all but the first of triangles with the same corners.
-void addDistinct(
-  const std::vector<std::pair<Triangle, Index>>& triangles, Soup& soup, SurfaceRepairs& repairs)
-{
-  std::vector<std::pair<Triangle, Index>> sorted;
-  for (Index i = 0; i < count(triangles); ++i)
-  {
-    Triangle t = triangles[i].first;
-    std::sort(t.begin(), t.end());
-    sorted.emplace_back(t, i);
-  }
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<char> repeated(triangles.size(), 0);
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-  {
-    repeated[sorted[i].second] = sorted[i].first == sorted[i - 1].first;
-  }
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    const auto& [t, polygon] = triangles[i];
-    if (repeated[i] || t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
-    {
-      ++repairs.droppedPolygons;
-      continue;
-    }
-    soup.triangles.push_back({ std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2]) });
-    soup.polygons.push_back(polygon);
-  }
-}
-
-Soup soupOf(const std::vector<Point>& points, const IndexLists& polygons, SurfaceRepairs& repairs)
-{
-  Soup soup;
-  const std::vector<Index> place = distinctPlaces(points, soup);
-  repairs.mergedPoints = count(points) - count(soup.points);
-  std::vector<std::pair<Triangle, Index>> triangles;
-  for (Index i = 0; i < polygons.size(); ++i)
-  {
-    const std::vector<Index> polygon = corners(polygons[i], place);
-    repairs.droppedPolygons += polygon.size() < 3;
-    if (polygon.size() >= 3)
-    {
-      for (const Triangle& t : triangulated(polygon, soup))
-      {
-        triangles.emplace_back(t, i);
-      }
-    }
-  }
-  addDistinct(triangles, soup, repairs);
-  return soup;
+  pmp::orient_polygon_soup(points, triangles);
+  Mesh mesh;
+  pmp::polygon_soup_to_polygon_mesh(points, triangles, mesh);
+  pmp::stitch_borders(mesh);
+  return mesh;
 }
 
 /// "(1, 2, 3)"
@@ -189,7 +72,6 @@ std::string placeText(const Kernel::Point_3& p)
 /// @param diagonal  of the surface
 void closeBorders(Mesh& mesh, double diagonal, ClosedSurface& result)
 {
-  pmp::stitch_borders(mesh);
   constexpr double small = 0.05; // of the diagonal: what a scanner or a modeller missed; not a cut
   std::vector<Halfedge> cycles;
   pmp::extract_boundary_cycles(mesh, std::back_inserter(cycles));
@@ -289,7 +171,7 @@ void checkIntersections(const Mesh& mesh, ClosedSurface& result)
 }
 
 /// Copies the mesh into the result.
-void take(const Mesh& mesh, const Soup& soup, ClosedSurface& result)
+void take(const Mesh& mesh, const PolygonSoup& soup, ClosedSurface& result)
 {
   std::vector<Index> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), None);
   result.points.clear();
@@ -318,18 +200,29 @@ ClosedSurface closedSurface(
   const std::vector<Point>& points, const IndexLists& polygons, const Execution& execution)
 {
   ClosedSurface result;
-  Soup soup = soupOf(points, polygons, result.repairs);
+  PolygonSoup soup = polygonSoup(points, polygons);
   if (soup.triangles.empty())
   {
     throw InvalidInput("there are no polygons to make a surface of");
   }
   execution.report(0.2);
-  pmp::orient_polygon_soup(soup.points, soup.triangles);
-  Mesh mesh;
-  pmp::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
+  Mesh mesh = meshOf(soup);
+  if (!CGAL::is_closed(mesh))
+  {
+    soup = polygonSoup(points, polygons, Weld::Rounding);
+    dropHangingPatches(soup);
+    mesh = meshOf(soup);
+  }
+  result.repairs.mergedPoints = soup.mergedPoints;
+  result.repairs.droppedPolygons = soup.droppedPolygons;
   execution.report(0.4);
   closeBorders(mesh, boundingBox(points).diagonal().norm(), result);
   pmp::remove_degenerate_faces(mesh);
+  pmp::remove_isolated_vertices(mesh);
+  if (mesh.number_of_faces() == 0)
+  {
+    throw InvalidInput("the polygons have no area");
+  }
   pmp::orient_to_bound_a_volume(mesh);
   execution.report(0.6);
   take(mesh, soup, result);
@@ -338,6 +231,12 @@ ClosedSurface closedSurface(
   if (!result.measures.closed || !result.measures.manifold)
   {
     throw InvalidInput("the polygons can't be oriented as the surface of a solid");
+  }
+  constexpr double rounding = 1e-14; // of coordinates as large as the surface, and some more
+  if (!(result.measures.volume >
+        rounding * result.area * boundingBox(result.points).diagonal().norm()))
+  {
+    throw InvalidInput("the surface is flat: it encloses no volume");
   }
   execution.report(1);
   return result;

@@ -16,7 +16,7 @@ namespace medial
 /// What was done to polygons until they were a closed surface.
 struct SurfaceRepairs
 {
-  Index mergedPoints = 0;    ///< points at the place of another one
+  Index mergedPoints = 0;    ///< points that count as another one at their place
   Index droppedPolygons = 0; ///< without an area by their corners, or the same as another one
   Index filledHoles = 0;
   Index filledTriangles = 0; ///< in those
@@ -36,7 +36,8 @@ struct ClosedSurface
 
 /// The closed surface that polygons are meant to be: points at the same place are made one, polygons
 /// without three different corners and repeated ones are dropped, all are oriented to enclose a
-/// volume, borders are stitched, small holes are filled.
+/// volume, borders are stitched, small holes are filled. Where that leaves holes, points that differ by
+/// rounding only are made one first, see NearDuplicates.h.
 ///
 /// Triangles may intersect a few others, as in folds of scanned surfaces; a warning tells where.
 /// @param polygons  the corners of each in order around it; as they lie in a file

@@ -136,6 +136,35 @@ TEST(ClosedSurface, MergesRepeatedPoints)
   EXPECT_EQ(surface.repairs.droppedPolygons, 0);
 }
 
+/// Every triangle has corners of its own, each one a little off.
+Mesh jitteredSoup(double by)
+{
+  Mesh mesh = meshes::soup(meshes::triangulated(meshes::torus()));
+  for (Index i = 0; i < medial::count(mesh.points); ++i)
+  {
+    mesh.points[i][i % 3] += (i % 2 ? by : -by) * (i % 7) / 7;
+  }
+  return mesh;
+}
+
+TEST(ClosedSurface, WeldsPointsThatDifferByRounding)
+{
+  const ClosedSurface whole = surfaceOf(meshes::triangulated(meshes::torus()));
+  const ClosedSurface surface = surfaceOf(jitteredSoup(2e-7));
+  EXPECT_EQ(surface.measures.betti, (Betti{ 1, 1, 0 }));
+  EXPECT_EQ(surface.points.size(), whole.points.size());
+  EXPECT_EQ(surface.repairs.filledHoles, 0);
+  EXPECT_NEAR(surface.measures.volume, whole.measures.volume, 1e-5);
+  EXPECT_TRUE(says(refusal(jitteredSoup(0.01)), "not closed")); // that is no rounding
+}
+
+/// Two walls nearer to each other than rounding, in a mesh that is closed.
+TEST(ClosedSurface, LeavesPointsOfAClosedSurfaceApart)
+{
+  const Mesh mesh = meshes::box(Point::Zero(), Point(1, 1, 1e-9));
+  EXPECT_EQ(surfaceOf(mesh).points.size(), 8);
+}
+
 TEST(ClosedSurface, DropsPolygonsThatAreRepeatedOrHaveNoArea)
 {
   Mesh mesh = meshes::triangulated(unitBox());
@@ -146,6 +175,50 @@ TEST(ClosedSurface, DropsPolygonsThatAreRepeatedOrHaveNoArea)
   const ClosedSurface surface = surfaceOf(mesh);
   expectMeasures(surface, { 1, 0, 0 }, 1, 6);
   EXPECT_EQ(surface.repairs.droppedPolygons, 3);
+}
+
+TEST(ClosedSurface, LeavesOutPointsThatNoPolygonHas)
+{
+  Mesh mesh = unitBox();
+  mesh.points.emplace_back(-3, -3, -3);
+  mesh.points.emplace_back(0.5, 0.5, 0.5);
+  const ClosedSurface surface = surfaceOf(mesh);
+  expectMeasures(surface, { 1, 0, 0 }, 1, 6);
+  EXPECT_EQ(surface.points.size(), 8);
+}
+
+TEST(ClosedSurface, RefusesASurfaceWithoutVolume)
+{
+  for (const double thin : { 0.0, 1e-300 })
+  {
+    Mesh flat = meshes::triangulated(unitBox());
+    Mesh line = flat;
+    for (Point& p : flat.points)
+    {
+      p.z() *= thin;
+    }
+    for (Point& p : line.points)
+    {
+      p.y() = thin * p.y();
+      p.z() = thin * p.z();
+    }
+    EXPECT_FALSE(refusal(flat).empty());
+    EXPECT_FALSE(refusal(line).empty());
+  }
+}
+
+/// Each of some edges has a vertex in its middle on one side only, and a triangle without an area beside it.
+TEST(ClosedSurface, DropsTheFlatTriangleOfATVertex)
+{
+  Mesh mesh = meshes::triangulated(unitBox());
+  const auto side = mesh.polygons[0];
+  const Index middle = medial::count(mesh.points);
+  mesh.points.push_back((mesh.points[side[0]] + mesh.points[side[1]]) / 2);
+  mesh.polygons.append(std::vector<Index>{ side[0], middle, side[1] });
+  const ClosedSurface surface = surfaceOf(mesh);
+  expectMeasures(surface, { 1, 0, 0 }, 1, 6);
+  EXPECT_EQ(surface.repairs.droppedPolygons, 1);
+  EXPECT_EQ(surface.repairs.filledHoles, 0);
 }
 
 TEST(ClosedSurface, BridgesATriangleOnALine)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/MedialAxis.h"
 #include "Balls/DistinctSamples.h"
-#include "Balls/NearDuplicates.h"
 #include "Balls/PolarBalls.h"
 #include "Balls/PowerShape.h"
 #include "Base/Errors.h"
+#include "Base/NearDuplicates.h"
 #include "PoissonDisk.h"
 #include "Shapes.h"
 #include "Validators.h"

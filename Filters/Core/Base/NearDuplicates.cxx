@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Balls/NearDuplicates.h"
+#include "Base/NearDuplicates.h"
 
 #include "Base/Frame.h"
 #include "Base/Neighbors.h"
