@@ -106,28 +106,15 @@ void checkSchedule(const std::string& words)
   }
 }
 
-/// All options: the command line is read by this table, and --help is made from it.
-std::vector<Option> optionsOf(Arguments& arguments)
+auto turnsOn(bool& property)
 {
-  const auto turnsOn = [](bool& property) {
-    return [&property](const std::string&) { property = true; };
-  };
+  return [&property](const std::string&) { property = true; };
+}
+
+/// How points and polygons are used.
+std::vector<Option> inputOptions(Arguments& arguments)
+{
   return {
-    { "--output", "DIR", "where the results go (default: out)",
-      [&](const std::string& value) { arguments.output = value; } },
-    { "--schedule", "\"W W ...\"", scheduleHelp(),
-      [&](const std::string& value) { arguments.schedule = value; } },
-    { "--automatic", "", "chooses the iterations from the data instead",
-      turnsOn(arguments.automatic) },
-    { "--split-at-necks", "", "also cuts parts at necks, before any pruning; best on clean data",
-      turnsOn(arguments.splitAtNecks) },
-    { "--topology", "WORD",
-      "collapse  removes a part only where tunnels, voids, pieces stay (default)\n"
-      "none      removes it anyway",
-      [&](const std::string& value) { arguments.keepTopology = parseTopology(value); } },
-    { "--remove-parts", "ID,ID",
-      "then removes these parts too, by PartId in parts.vtp and parts.csv",
-      [&](const std::string& value) { arguments.partsToRemove = parsePartIds(value); } },
     { "--drop-invalid", "",
       "leaves out points with a coordinate that is NaN or infinite, and counts them",
       turnsOn(arguments.dropInvalid) },
@@ -147,6 +134,47 @@ std::vector<Option> optionsOf(Arguments& arguments)
       "are\n"
       "20,000 to 50,000 samples)",
       [&](const std::string& value) { arguments.spacing = parseLength("--spacing", value); } },
+    { "--wrap", "",
+      "samples the closed surface around the polygons of a mesh where they bound no solid, "
+      "because\n"
+      "of holes or intersections",
+      turnsOn(arguments.wrap) },
+    { "--wrap-width", "L",
+      "the same; it goes across gaps and holes that are narrower, in the unit of the mesh\n"
+      "(default: a twenty-fifth of the diagonal)",
+      [&](const std::string& value) {
+        arguments.wrap = true;
+        arguments.wrapWidth = parseLength("--wrap-width", value);
+      } },
+  };
+}
+
+/// What is done with the axis.
+std::vector<Option> pruningOptions(Arguments& arguments)
+{
+  return {
+    { "--output", "DIR", "where the results go (default: out)",
+      [&](const std::string& value) { arguments.output = value; } },
+    { "--schedule", "\"W W ...\"", scheduleHelp(),
+      [&](const std::string& value) { arguments.schedule = value; } },
+    { "--automatic", "", "chooses the iterations from the data instead",
+      turnsOn(arguments.automatic) },
+    { "--split-at-necks", "", "also cuts parts at necks, before any pruning; best on clean data",
+      turnsOn(arguments.splitAtNecks) },
+    { "--topology", "WORD",
+      "collapse  removes a part only where tunnels, voids, pieces stay (default)\n"
+      "none      removes it anyway",
+      [&](const std::string& value) { arguments.keepTopology = parseTopology(value); } },
+    { "--remove-parts", "ID,ID",
+      "then removes these parts too, by PartId in parts.vtp and parts.csv",
+      [&](const std::string& value) { arguments.partsToRemove = parsePartIds(value); } },
+  };
+}
+
+/// How the program runs.
+std::vector<Option> runOptions(Arguments& arguments)
+{
+  return {
     { "--threads", "N", "uses N threads (default: all; the result is the same)",
       [&](const std::string& value) { arguments.threads = parseThreads(value); } },
     { "--picture", "", "also draws the stages; needs an X server (DISPLAY), see Examples/run",
@@ -159,6 +187,17 @@ std::vector<Option> optionsOf(Arguments& arguments)
     { "--quiet", "", "prints errors only", turnsOn(arguments.quiet) },
     { "--help", "", "prints this", turnsOn(arguments.help) },
   };
+}
+
+/// All options: the command line is read by this table, and --help is made from it.
+std::vector<Option> optionsOf(Arguments& arguments)
+{
+  std::vector<Option> result = pruningOptions(arguments);
+  for (const auto& more : { inputOptions(arguments), runOptions(arguments) })
+  {
+    result.insert(result.end(), more.begin(), more.end());
+  }
+  return result;
 }
 
 void takeInput(Arguments& arguments, const std::string& word)
@@ -210,8 +249,8 @@ std::string usage()
 
   SimplifyShape INPUT [options]
 
-INPUT is a .ply .stl .obj .vtp .vtu .off or .xyz file. Its points are taken as samples of the
-solid's closed boundary; polygons only tell whether that is open.
+INPUT is a .ply .stl .obj .vtp .vtu .off or .xyz file. Polygons that bound a solid are sampled; of
+other files the points are taken as samples of the solid's closed boundary.
 
 )" + helpOf(optionsOf(defaults)) +
     R"(

@@ -20,6 +20,8 @@ struct Arguments
   bool points = false;        ///< the vertices of a mesh are the samples, not its triangles
   double fineness = 0;        ///< of the samples of triangles; 0: the default of vtkBoundarySamples
   double spacing = 0;         ///< largest one of them; 0: chosen
+  bool wrap = false;          ///< sample the surface around polygons that bound no solid
+  double wrapWidth = 0;       ///< of the gaps that it crosses; 0: chosen
   int threads = 0;            ///< 0: as many as the machine has
   bool picture = false;
   bool strict = false;

@@ -55,6 +55,8 @@ void setProperties(vtkSimplifyShape* simplify, const Arguments& arguments)
   vtkBoundarySamples* boundary = simplify->GetBoundarySamples();
   boundary->SetFineness(arguments.fineness > 0 ? arguments.fineness : boundary->GetFineness());
   boundary->SetSpacing(arguments.spacing);
+  simplify->SetWrap(arguments.wrap);
+  simplify->SetWrapWidth(arguments.wrapWidth);
   simplify->SetSplitAtNecks(arguments.splitAtNecks);
   vtkMedialPrune* prune = simplify->GetMedialPrune();
   // PartId in surface.vtp is that in pruned.vtp. The filter's own parts can differ where necks are cut,

@@ -17,6 +17,7 @@ import subprocess
 import unittest
 
 from check_inputs import Inputs  # what the program reads and refuses; run with the rest
+from check_meshes import Meshes  # what it makes of polygons; run with the rest
 from check_outputs import Outputs  # whole results or none; run with the rest
 from input_files import xml
 from program_test import PROGRAM, ProgramTest, ellipsoid, torus
@@ -242,27 +243,6 @@ class SimplifyShape(ProgramTest):
         del report["betti"]["solid"]
         for betti in report["betti"].values():
             self.assertEqual(betti, [1, 1, 0])
-
-    def test_mesh_is_sampled_and_compared_with_its_solid(self):
-        box = self.write("box.obj", "".join("v %d %d %d\n" % (i & 1, (i >> 1 & 1) * 2, (i >> 2) * 3)
-                                            for i in range(8)) +
-                         "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")
-        done = self.run_program(box, "--output", self.path("box"), "--strict", "--spacing", "0.1")
-        self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
-        self.assertIn(" samples on 6 polygons", done.stdout)
-        self.assertIn("solid 1 0 0, power shape 1 0 0", done.stdout)
-        with open(self.path("box/report.json")) as file:
-            report = json.load(file)
-        self.assertEqual(report["source"], "triangles")
-        self.assertEqual(report["betti"], dict.fromkeys(
-            ("solid", "powerShape", "axis", "pruned", "crust"), [1, 0, 0]))
-        self.assertEqual(report["sampling"]["polygons"], 6)
-        self.assertAlmostEqual(report["sampling"]["volume"], 6)
-        self.assertAlmostEqual(report["sampling"]["area"], 22)
-        self.assertEqual(report["warnings"], [])
-        self.assertAlmostEqual(report["volume"]["crustBefore"], 6, delta=0.1)
-        done = self.run_program(box, "--output", self.path("corners"), "--points")
-        self.assertEqual(done.returncode, 2, "eight corners are no samples: " + done.stdout)
 
     def test_schedule_takes_every_measure(self):
         words = "t1 v0% p0% a0 m1 m1% r1 r1% o10 l1 l1% e0.1 e1% h0.1 h1% b0.1 b1%"

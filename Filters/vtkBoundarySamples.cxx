@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <optional>
 
 vtkStandardNewMacro(vtkBoundarySamples);
 medialAbortMacro(vtkBoundarySamples);
@@ -42,7 +43,10 @@ int vtkBoundarySamples::RequestData(
   vtkPolyData* closed = vtkPolyData::GetData(outputVector, 1);
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
-      const medial::ClosedSurface surface = medial::readSurface(input, execution.between(0, 0.2));
+      const medial::ClosedSurface surface = medial::readSurface(input,
+        this->Wrap ? std::optional<medial::WrapOptions>({ this->WrapWidth, this->WrapOffset })
+                   : std::nullopt,
+        execution.between(0, 0.2));
       const medial::SurfaceTree tree(surface.points, surface.triangles);
       const auto most = std::min<vtkIdType>(this->MaximumSamples, medial::Largest);
       const medial::SamplingOptions options{ this->Fineness, this->Spacing, this->Adaptive,
@@ -63,5 +67,8 @@ void vtkBoundarySamples::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Adaptive: " << (this->Adaptive ? "on" : "off") << "\n";
   os << indent << "MaximumSamples: " << this->MaximumSamples << "\n";
   os << indent << "SharpAngle: " << this->SharpAngle << "\n";
+  os << indent << "Wrap: " << (this->Wrap ? "on" : "off") << "\n";
+  os << indent << "WrapWidth: " << this->WrapWidth << "\n";
+  os << indent << "WrapOffset: " << this->WrapOffset << "\n";
   os << indent << "MaximumRounds: " << this->MaximumRounds << "\n";
 }

@@ -14,6 +14,8 @@
  * oriented, borders are stitched, holes smaller than a twentieth of the diagonal are filled. Cells
  * of other kinds are left out. Lengths are in the unit of the input.
  *
+ * Polygons that bound no solid are refused, or with Wrap the closed surface around them is sampled.
+ *
  * Output 0: vtkPolyData, the samples, a vertex cell each. The input of vtkPolarBalls.
  *
  * Point data
@@ -34,6 +36,7 @@
  *  - `RefinementRounds` (vtkIdType): how often the samples were made denser, see SetMaximumRounds().
  *
  * Warnings, in the field data as vtkPolarBalls.h describes: `filled_holes`, `self_intersections`,
+ * `wrapped` (Wrap was needed; with its offset),
  * `too_many_samples` (MaximumSamples was in the way), `too_few_samples` (the balls of the samples don't
  * have the Betti numbers of the solid; with a place).
  *
@@ -113,6 +116,35 @@ public:
   vtkGetMacro(MaximumRounds, int);
   ///@}
 
+  ///@{
+  /**
+   * Take the closed surface around the polygons where they bound no solid, because of holes, intersections or
+   * pieces within each other? It encloses all of them, and fills what they enclose. Polygons that do bound a
+   * solid are taken as they are. Default off.
+   */
+  vtkSetMacro(Wrap, bool);
+  vtkGetMacro(Wrap, bool);
+  vtkBooleanMacro(Wrap, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Wrap goes across gaps and holes that are narrower, in the unit of the input. 0 (default): a twenty-fifth of
+   * the diagonal of the points' bounding box.
+   */
+  vtkSetMacro(WrapWidth, double);
+  vtkGetMacro(WrapWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far the wrap is outside the polygons, where no gap is too narrow, in the unit of the input. Less takes longer. 0
+   * (default): a sixtieth of WrapWidth.
+   */
+  vtkSetMacro(WrapOffset, double);
+  vtkGetMacro(WrapOffset, double);
+  ///@}
+
   /**
    * Stops the run under way, or the next one where there is none. The outputs of a stopped run are empty;
    * the update after it makes them.
@@ -140,6 +172,9 @@ private:
   vtkIdType MaximumSamples = 1000000;
   double SharpAngle = 30;
   int MaximumRounds = 4;
+  bool Wrap = false;
+  double WrapWidth = 0;
+  double WrapOffset = 0;
 
   vtkBoundarySamples(const vtkBoundarySamples&) = delete;
   void operator=(const vtkBoundarySamples&) = delete;

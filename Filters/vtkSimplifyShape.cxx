@@ -85,6 +85,26 @@ bool vtkSimplifyShape::GetAutomatic()
   return this->Prune->GetAutomatic();
 }
 
+void vtkSimplifyShape::SetWrap(bool wrap)
+{
+  this->Boundary->SetWrap(wrap);
+}
+
+bool vtkSimplifyShape::GetWrap()
+{
+  return this->Boundary->GetWrap();
+}
+
+void vtkSimplifyShape::SetWrapWidth(double width)
+{
+  this->Boundary->SetWrapWidth(width);
+}
+
+double vtkSimplifyShape::GetWrapWidth()
+{
+  return this->Boundary->GetWrapWidth();
+}
+
 void vtkSimplifyShape::SetMergeTolerance(double tolerance)
 {
   this->Balls->SetMergeTolerance(tolerance);

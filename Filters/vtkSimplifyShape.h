@@ -101,6 +101,19 @@ public:
 
   ///@{
   /**
+   * Sample the closed surface around the polygons where they bound no solid? WrapWidth: it goes across gaps and
+   * holes that are narrower, in the unit of the input; 0: a twenty-fifth of the diagonal. See
+   * vtkBoundarySamples. Default off, 0.
+   */
+  void SetWrap(bool wrap);
+  bool GetWrap();
+  vtkBooleanMacro(Wrap, bool);
+  void SetWrapWidth(double width);
+  double GetWrapWidth();
+  ///@}
+
+  ///@{
+  /**
    * Samples within this distance of each other count as one where they stand apart from all others; in
    * the unit of the samples. Negative: what rounding of the input explains. See vtkPolarBalls. Default
    * -1.

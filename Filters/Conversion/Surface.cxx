@@ -30,10 +30,23 @@ void addField(const ProvenSamples& made, const ClosedSurface& surface, vtkFieldD
 }
 }
 
-ClosedSurface readSurface(vtkPointSet* input, const Execution& execution)
+ClosedSurface readSurface(
+  vtkPointSet* input, const std::optional<WrapOptions>& wrap, const Execution& execution)
 {
-  return closedSurface(
-    readFinitePoints(input, "mend the file that they come from"), readPolygons(input), execution);
+  const std::vector<Point> points = readFinitePoints(input, "mend the file that they come from");
+  const IndexLists polygons = readPolygons(input);
+  try
+  {
+    return closedSurface(points, polygons, execution.between(0, wrap ? 0.3 : 1));
+  }
+  catch (const InvalidInput& error)
+  {
+    if (!wrap)
+    {
+      throw;
+    }
+  }
+  return wrappedSurface(points, polygons, *wrap, execution.between(0.3, 1));
 }
 
 Solid readSolid(vtkPolyData* input, const Execution& execution)

@@ -4,7 +4,9 @@
 
 #include "Balls/ProvenSamples.h"
 #include "Base/SurfaceTree.h"
-#include "Samples/ClosedSurface.h"
+#include "Samples/WrappedSurface.h"
+
+#include <optional>
 
 class vtkFieldData;
 class vtkPointSet;
@@ -13,8 +15,10 @@ class vtkPolyData;
 namespace medial
 {
 /// The closed surface that the polygons of a data set are, or can be mended to.
-/// @throw InvalidInput  a coordinate is not finite; see closedSurface()
-ClosedSurface readSurface(vtkPointSet* input, const Execution& execution = {});
+/// @param wrap          if it is given: the surface around the polygons where they are none
+/// @throw InvalidInput  a coordinate is not finite; see closedSurface() and wrappedSurface()
+ClosedSurface readSurface(
+  vtkPointSet* input, const std::optional<WrapOptions>& wrap = {}, const Execution& execution = {});
 
 /// The surface of a solid, and its Betti numbers, as balls need them.
 struct Solid

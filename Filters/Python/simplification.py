@@ -60,7 +60,8 @@ class Simplified(NamedTuple):
 def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
              progress: Callable[[float], Any] | None = None,
              merge_tolerance: float | None = None,
-             use_triangles: bool | None = None) -> Simplified:
+             use_triangles: bool | None = None,
+             wrap: bool | float = False) -> Simplified:
     """Simplifies the solid that is given by a mesh, or by points of its boundary.
 
     Other threads of Python go on meanwhile. Ctrl-C stops it within a second.
@@ -77,6 +78,8 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
               others, see MergeTolerance of vtkPolarBalls; None: what the rounding of the points explains
     use_triangles  True: it is an error if the polygons don't bound a solid; False: the points of the mesh
               are the samples; None: decided by the mesh, with a warning where it bounds none
+    wrap      where the polygons bound no solid, sample the closed surface around them; True, or the width of
+              the gaps and holes that it crosses, see Wrap of vtkBoundarySamples
     Raises ValueError where the points or the schedule can't be used; the message says why.
     Issues a MedialAxisWarning for each doubt, and where the surface is not certified.
     """
@@ -88,6 +91,8 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
         filter.SetMergeTolerance(merge_tolerance)
     if use_triangles is not None:
         filter.SetUseTriangles(filter.ON if use_triangles else filter.OFF)
+    filter.SetWrap(wrap is not False)
+    filter.SetWrapWidth(0 if isinstance(wrap, bool) else wrap)
     if isinstance(schedule, str):
         filter.SetSchedule(schedule)
     elif schedule is not None:

@@ -171,6 +171,38 @@ TEST(BoundarySamples, RefuseWhatBoundsNoSolid)
   EXPECT_NE(refusal(bad).find("not finite"), std::string::npos);
 }
 
+TEST(BoundarySamples, WrapWhatBoundsNoSolid)
+{
+  const Mesh cube = meshes::box(Point::Zero(), Point::Ones());
+  const Mesh two = meshes::united(cube, meshes::moved(cube, Point(0.5, 0.4, 0.3)));
+  const auto filter = filterOf(two);
+  filter->WrapOn();
+  filter->SetWrapWidth(0.2);
+  filter->SetWrapOffset(0.02);
+  const ErrorLog log(filter, vtkCommand::WarningEvent);
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorCode(), 0u);
+  ASSERT_EQ(log.messages().size(), 1u) << testing::PrintToString(log.messages());
+  EXPECT_NE(log.messages()[0].find("about 0.02 outside"), std::string::npos);
+  for (int port = 0; port < 2; ++port)
+  {
+    EXPECT_EQ(text(filter->GetOutputDataObject(port), "WarningCode"), "wrapped");
+    expectBetti(filter->GetOutputDataObject(port), "BettiSolid", { 1, 0, 0 });
+  }
+  EXPECT_GT(field(surfaceOf(filter), "SolidVolume"), 1.79);
+  filter->SetWrapWidth(-1);
+  EXPECT_NE(onlyError(filter).find("width"), std::string::npos);
+}
+
+TEST(BoundarySamples, DontWrapWhatBoundsASolid)
+{
+  const auto filter = filterOf(meshes::box(Point::Zero(), Point::Ones()));
+  filter->WrapOn();
+  filter->Update();
+  EXPECT_EQ(surfaceOf(filter)->GetNumberOfPoints(), 8);
+  EXPECT_EQ(text(filter->GetOutput(), "WarningCode"), "");
+}
+
 TEST(BoundarySamples, RefusePropertiesOutOfRange)
 {
   auto filter = filterOf(meshes::torus());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTest.h"
 
+#include "vtkBoundarySamples.h"
 #include "vtkSimplifyShape.h"
 
 #include <vtkCallbackCommand.h>
@@ -118,6 +119,11 @@ TEST(SimplifyShape, PassesItsScheduleOn)
   EXPECT_EQ(simplify->GetScheduleWords(), "t3x1 t4x2 t5x1");
   simplify->SetMergeTolerance(0.25);
   EXPECT_EQ(simplify->GetMergeTolerance(), 0.25);
+  simplify->WrapOn();
+  simplify->SetWrapWidth(0.5);
+  EXPECT_TRUE(simplify->GetWrap() && simplify->GetBoundarySamples()->GetWrap());
+  EXPECT_EQ(simplify->GetWrapWidth(), simplify->GetBoundarySamples()->GetWrapWidth());
+  EXPECT_EQ(simplify->GetWrapWidth(), 0.5);
 }
 
 TEST(SimplifyShape, MakesTheUnprunedPartsAndCrustWhenAsked)

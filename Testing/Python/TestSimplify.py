@@ -146,6 +146,20 @@ class Simplify(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "no polygons"):
             simplify(ellipsoid(), use_triangles=True)
 
+    def test_wraps_a_mesh_that_bounds_no_solid(self):
+        box = vtkCubeSource()
+        box.Update()
+        open_box = vtkPolyData()
+        open_box.DeepCopy(box.GetOutput())
+        open_box.BuildLinks()
+        open_box.DeleteCell(0)
+        open_box.RemoveDeletedCells()
+        with self.assertRaisesRegex(ValueError, "a shell about them"):
+            simplify(open_box, wrap=True, use_triangles=True)
+        with self.assertWarnsRegex(medialaxis.MedialAxisWarning, "a surface around them"):
+            result = simplify(open_box, wrap=3.0)
+        self.assertTrue(result.verdict.certified, result.verdict)
+
     def test_says_what_is_wrong(self):
         with self.assertRaisesRegex(ValueError, "shape"):
             simplify(ellipsoid().T)
