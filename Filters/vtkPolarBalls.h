@@ -98,6 +98,7 @@ public:
    * Samples within this distance of each other count as one, if no other sample is within ten times
    * the distance: copies of a place that differ by rounding. Samples that are denser than that all
    * count. In the unit of the samples; 0: only samples at the very same place count as one.
+   * 0 takes samples as exact for their balls, too: else those that miss a ball by rounding are on it.
    *
    * Negative (default -1): two units in the last place of the input's coordinates, but at least 1e-7 of
    * the diagonal of their bounding box. The unit is that of floats or doubles at the largest

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Conversion/BallChecks.h"
 
+#include "Balls/DelaunaySpheres.h"
 #include "Base/Errors.h"
 #include "Base/Frame.h"
 #include "Conversion/ArrayNames.h"
@@ -98,6 +99,7 @@ double movedIn(const std::vector<Point>& samples)
 
 void checkSamplesOnBalls(const PolarBalls& balls, double movedHere)
 {
+  const double precision = leastPrecision * balls.spacing; // of samples: they may be off so much
   for (Index b = 0; b < count(balls.balls); ++b)
   {
     const Ball& ball = balls.balls[b];
@@ -109,7 +111,7 @@ void checkSamplesOnBalls(const PolarBalls& balls, double movedHere)
     for (const Index sample : balls.ballSamples[b])
     {
       const double distance = (balls.samples[sample] - ball.center).norm();
-      if (!(std::abs(distance - ball.radius) <= movedHere + moved * ball.radius))
+      if (!(std::abs(distance - ball.radius) <= precision + movedHere + moved * ball.radius))
       {
         throw InvalidInput("sample ", sample, " isn't on ball ", b, " of radius ", ball.radius,
           " but ", distance, " from its centre, though the field array '", names::BallSamples,

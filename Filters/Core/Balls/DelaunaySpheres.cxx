@@ -2,7 +2,6 @@
 #include "Balls/DelaunaySpheres.h"
 
 #include "Balls/DistinctSamples.h"
-#include "Base/DisjointSets.h"
 #include "Base/Predicates.h"
 #include "Base/Triangulations.h"
 
@@ -11,16 +10,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 // On an exact sphere, box or grid very many samples are cospherical. The Delaunay triangulation cuts
 // their common ball into many cells, whose circumspheres differ only by rounding error, and which of
 // them exist is arbitrary. Unlike the paper, we therefore don't take each cell's sphere for a ball of
 // its own: cells with the same sphere form a class, and a class gives one ball.
 //
-// Two adjacent cells are in one class where their centres are closer than `coincident`; classes are
-// the connected components of this relation. The corners of all cells of a class are on its sphere.
-// With n samples this takes the time of the Delaunay triangulation, O(n log n) for samples of a
-// surface in practice, and nearly linear time for the classes.
+// Samples are known up to their precision, so that is how near all corners of a class must be to its
+// sphere. Centres can't decide: where samples move by the precision, those of flat cells move far. The
+// largest cell's sphere is the most certain one. A class begins with the largest cell that is in none, has
+// its sphere, and grows over neighbours. A flat cell of four samples on one circle is on many spheres; it
+// joins one class, and never connects two.
+//
+// With n samples this takes O(n log n) time for samples of a surface in practice: for the Delaunay
+// triangulation and to sort the cells.
 namespace medial
 {
 namespace
@@ -42,50 +47,73 @@ void measureCells(DelaunaySpheres& spheres, const Execution& execution)
   });
 }
 
-void findClasses(DelaunaySpheres& spheres)
+/// Are all corners of a cell on a sphere, as far as the precision of samples tells?
+bool isOnSphere(const DelaunaySpheres& spheres, Index cell, const Ball& sphere)
 {
-  const Index cellCount = count(spheres.delaunay.cells);
-  DisjointSets classes(cellCount);
-  for (Index c = 0; c < cellCount; ++c)
+  const Tetrahedron& corners = spheres.delaunay.cells[cell];
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& [i, j] : cellEdges)
   {
+    shortest = std::min(shortest, (spheres.points[corners[i]] - spheres.points[corners[j]]).norm());
+  }
+  const double reach = std::max(coincident, std::min(spheres.precision, leastPrecision * shortest));
+  return std::all_of(corners.begin(), corners.end(), [&](Index v) {
+    return std::abs((spheres.points[v] - sphere.center).norm() - sphere.radius) <= reach;
+  });
+}
+
+/// Gives the class of `seed` to all cells on its sphere that lead to it.
+void growClass(const DelaunaySpheres& spheres, Index seed, std::vector<Index>& seedOfCell)
+{
+  seedOfCell[seed] = seed;
+  std::vector<Index> todo{ seed };
+  while (!todo.empty())
+  {
+    const Index c = todo.back();
+    todo.pop_back();
     for (const Index n : spheres.delaunay.neighbors[c])
     {
-      if (n > c &&
-        (spheres.ballOfCell[c].center - spheres.ballOfCell[n].center).norm() < coincident)
+      if (n != None && seedOfCell[n] == None && isOnSphere(spheres, n, spheres.ballOfCell[seed]))
       {
-        classes.unite(c, n);
+        seedOfCell[n] = seed;
+        todo.push_back(n);
       }
     }
   }
+}
+
+/// Finds the classes; all cells of one take the sphere of its largest cell.
+void findClasses(DelaunaySpheres& spheres, const Execution& execution)
+{
+  const Index cellCount = count(spheres.delaunay.cells);
+  std::vector<Index> order(cellCount);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&](Index a, Index b) { return spheres.cellVolumes[a] > spheres.cellVolumes[b]; });
+  std::vector<Index> seedOfCell(cellCount, None);
+  for (const Index c : order)
+  {
+    execution.pollAt(c);
+    if (seedOfCell[c] == None)
+    {
+      growClass(spheres, c, seedOfCell);
+    }
+  }
+  std::vector<Index> lowest(cellCount, None);
+  const std::vector<Ball> own = spheres.ballOfCell;
   spheres.classOfCell.resize(cellCount);
   for (Index c = 0; c < cellCount; ++c)
   {
-    spheres.classOfCell[c] = classes.find(c);
-  }
-}
-
-/// All cells of a class take the sphere of its cell of largest volume. The flatter a cell, the larger
-/// the error of its centre.
-void shareBalls(DelaunaySpheres& spheres)
-{
-  std::vector<Index> best(spheres.ballOfCell.size(), None);
-  for (Index c = 0; c < count(best); ++c)
-  {
-    Index& chosen = best[spheres.classOfCell[c]];
-    if (chosen == None || spheres.cellVolumes[c] > spheres.cellVolumes[chosen])
-    {
-      chosen = c;
-    }
-  }
-  const std::vector<Ball> own = spheres.ballOfCell;
-  for (Index c = 0; c < count(best); ++c)
-  {
-    spheres.ballOfCell[c] = own[best[spheres.classOfCell[c]]];
+    Index& first = lowest[seedOfCell[c]];
+    first = first == None ? c : first;
+    spheres.classOfCell[c] = first;
+    spheres.ballOfCell[c] = own[seedOfCell[c]];
   }
 }
 }
 
-DelaunaySpheres delaunaySpheres(const std::vector<Point>& samples, const Execution& execution)
+DelaunaySpheres delaunaySpheres(
+  const std::vector<Point>& samples, double precision, const Execution& execution)
 {
   DelaunaySpheres result;
   result.points = samples;
@@ -95,9 +123,9 @@ DelaunaySpheres delaunaySpheres(const std::vector<Point>& samples, const Executi
     result.points.push_back(guard);
   }
   result.delaunay = delaunay(result.points, execution);
+  result.precision = std::min(precision, leastPrecision * meanSpacing(result));
   measureCells(result, execution);
-  findClasses(result);
-  shareBalls(result);
+  findClasses(result, execution);
   return result;
 }
 

@@ -10,13 +10,17 @@
 
 namespace medial
 {
+/// How precise samples are at least, in their spacing. Samples that dense must be more precise.
+constexpr double leastPrecision = 1e-3;
+
 /// The Delaunay triangulation of samples and guards, and its circumspheres: a sphere's centre is a
-/// Voronoi vertex. Cells with the same circumsphere form a class, which has one sphere. All lengths
-/// are in the unit of the samples given.
+/// Voronoi vertex. Cells with the same circumsphere, as far as the precision of samples tells, form a
+/// class, which has one sphere. All lengths are in the unit of the samples given.
 struct DelaunaySpheres
 {
   std::vector<Point> points; ///< the samples, then the guards
   Index sampleCount;
+  double precision; ///< how far samples may be from where they were meant to be, at most
   Tetrahedra delaunay;
   // One entry for each cell.
   std::vector<double> cellVolumes;
@@ -24,9 +28,11 @@ struct DelaunaySpheres
   std::vector<Ball> ballOfCell;   ///< the sphere of its class
 };
 
-/// @param samples  distinct
+/// @param samples    distinct
+/// @param precision  how far each may be from where it was meant to be; counts up to leastPrecision
 /// @throw Aborted
-DelaunaySpheres delaunaySpheres(const std::vector<Point>& samples, const Execution& execution = {});
+DelaunaySpheres delaunaySpheres(
+  const std::vector<Point>& samples, double precision, const Execution& execution = {});
 
 /// Mean distance of a sample to the nearest other one. Two samples closer than `coincident` are the
 /// same up to rounding and don't count as neighbours. 0 where no two samples do.

@@ -88,8 +88,9 @@ double distance(const std::vector<Point>& samples, const DistinctSamples& distin
 void mergeNearDuplicates(
   const std::vector<Point>& samples, const MergeOptions& options, DistinctSamples& distinct)
 {
-  distinct.tolerance =
-    options.tolerance < 0 ? defaultTolerance(samples, options.unit) : options.tolerance;
+  const double rounding = defaultTolerance(samples, options.unit);
+  distinct.tolerance = options.tolerance < 0 ? rounding : options.tolerance;
+  distinct.precision = std::min(rounding, distinct.tolerance);
   takeOut(distinct, nearDuplicates(distinct.points, distinct.tolerance * distinct.frame.scale));
   if (options.tolerance < 0)
   {

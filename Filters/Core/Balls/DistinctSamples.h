@@ -31,6 +31,8 @@ struct DistinctSamples
   std::vector<Index> duplicateOf; ///< for each sample of the input: the one in `ids` that it counts
                                   ///< as, or None where it is this one
   Index nearDuplicates = 0; ///< how many samples are not at the place of the one they count as
+  double precision = 0;     ///< how far samples may be from where they were meant to be, because
+                            ///< of rounding; in their unit; at most the tolerance
   double tolerance =
     0; ///< that was used, in the unit of the samples; or the distance of the farthest
        ///< of them, if it is more

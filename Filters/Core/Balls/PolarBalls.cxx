@@ -4,6 +4,7 @@
 #include "Balls/DelaunaySpheres.h"
 #include "Balls/DistinctSamples.h"
 #include "Balls/MarkedBetti.h"
+#include "Balls/Poles.h"
 #include "Balls/SampleDoubts.h"
 #include "Balls/Sides.h"
 #include "Base/Frame.h"
@@ -17,65 +18,17 @@
 // Steps: Delaunay triangulation of samples and guards; the poles of each sample; a ball for each class
 // of cells that is somebody's pole; the balls' regular triangulation; their sides; their volumes.
 // Samples are numbered in lexicographic order here, and by `ids` as in the input where they leave. All
-// lengths are in the frame until the end. With n samples there are at most 2n balls, and all steps
-// take O(n log n) time in practice; the two triangulations take most of it.
+// lengths are in the frame until the end. n samples have at most 2n balls, but more where the samples are
+// regular; all steps take O(n log n) time in practice; the two triangulations take most of it.
 namespace medial
 {
 namespace
 {
-/// For each sample the classes (their lowest cells) of its two poles, or None. The first pole is the
-/// farthest Voronoi vertex of the sample's cell, the second one the farthest in the opposite half-space.
-std::vector<std::array<Index, 2>> poles(const DelaunaySpheres& spheres)
-{
-  std::vector<std::array<Index, 2>> result(spheres.sampleCount, { None, None });
-  // Every sphere passes through its sample, so the farthest centre has the largest radius.
-  const auto offer = [&spheres](Index& pole, Index c) {
-    const Index candidate = spheres.classOfCell[c];
-    if (pole == None || spheres.ballOfCell[candidate].radius > spheres.ballOfCell[pole].radius ||
-      (spheres.ballOfCell[candidate].radius == spheres.ballOfCell[pole].radius && candidate < pole))
-    {
-      pole = candidate;
-    }
-  };
-  for (int second = 0; second < 2; ++second)
-  {
-    for (Index c = 0; c < count(spheres.delaunay.cells); ++c)
-    {
-      for (const Index s : spheres.delaunay.cells[c])
-      {
-        if (s >= spheres.sampleCount)
-        {
-          continue;
-        }
-        const Point& sample = spheres.points[s];
-        if (second == 0 ||
-          (spheres.ballOfCell[c].center - sample)
-              .dot(spheres.ballOfCell[result[s][0]].center - sample) < 0)
-        {
-          offer(result[s][second], c);
-        }
-      }
-    }
-  }
-  return result;
-}
-
 /// Makes a ball of every class that is a pole.
 /// @return  for each cell the ball of its class, or None
-std::vector<Index> numberBalls(const DelaunaySpheres& spheres,
-  const std::vector<std::array<Index, 2>>& poles, PolarBalls& result)
+std::vector<Index> numberBalls(
+  const DelaunaySpheres& spheres, const std::vector<char>& isPole, PolarBalls& result)
 {
-  std::vector<char> isPole(spheres.classOfCell.size(), 0);
-  for (const auto& pair : poles)
-  {
-    for (const Index pole : pair)
-    {
-      if (pole != None)
-      {
-        isPole[pole] = 1;
-      }
-    }
-  }
   std::vector<Index> ballOfCell(isPole.size(), None);
   for (Index c = 0; c < count(isPole); ++c)
   {
@@ -258,12 +211,14 @@ PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
 {
   const DistinctSamples distinct = distinctSamples(samples, options);
   requireVolume(distinct);
-  const DelaunaySpheres spheres = delaunaySpheres(distinct.points, execution.between(0, 0.2));
-  const std::vector<std::array<Index, 2>> poleClasses = poles(spheres);
+  const DelaunaySpheres spheres = delaunaySpheres(
+    distinct.points, distinct.precision * distinct.frame.scale, execution.between(0, 0.2));
+  const Poles polesOfSamples = poles(spheres);
+  const std::vector<std::array<Index, 2>>& poleClasses = polesOfSamples.ofSample;
   PolarBallsAndSamples made;
   PolarBalls& result = made.balls;
   result.samples = samples;
-  const std::vector<Index> ballOfCell = numberBalls(spheres, poleClasses, result);
+  const std::vector<Index> ballOfCell = numberBalls(spheres, polesOfSamples.isPole, result);
   collectSamples(spheres, ballOfCell, distinct.ids, result);
   const Tetrahedra mesh = powerCells(result.balls, execution.between(0.2, 0.8));
   const std::vector<Edge> edges = edgeNumbers(mesh.cells, count(result.balls)).edges;

@@ -83,13 +83,9 @@ struct Beliefs
 {
   std::vector<std::array<float, 2>> of; ///< outer, inner
 
-  /// What the queue is ordered by. A contested ball, with evidence for both sides, comes after all
-  /// others: its value is negative.
-  float priority(Index ball) const
-  {
-    const auto [outer, inner] = this->of[ball];
-    return outer > 0 && inner > 0 ? std::abs(inner - outer) - 1 : std::max(inner, outer);
-  }
+  /// What the queue is ordered by. Unlike [ACK01], a ball with evidence for both sides doesn't come after
+  /// all others: strong evidence against a little of the other kind is better than a little alone.
+  float priority(Index ball) const { return std::abs(this->of[ball][1] - this->of[ball][0]); }
 };
 
 /// Fixes the sides of the balls that chains of links connect with a ball that is surely outside.

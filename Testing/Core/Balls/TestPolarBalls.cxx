@@ -50,19 +50,32 @@ TEST(PolarBalls, AreEmptyOfSamples)
   });
 }
 
-TEST(PolarBalls, PassThroughTheirSamples)
+namespace
+{
+void expectToPassThroughSamples(const PolarBalls& balls, double tolerance)
+{
+  ASSERT_EQ(balls.ballSamples.size(), medial::count(balls.balls));
+  for (Index b = 0; b < balls.ballSamples.size(); ++b)
+  {
+    for (const Index s : balls.ballSamples[b])
+    {
+      const double distance = (balls.samples[s] - balls.balls[b].center).norm();
+      ASSERT_NEAR(distance, balls.balls[b].radius, tolerance);
+    }
+  }
+}
+}
+
+TEST(PolarBalls, PassThroughTheirSamplesUpToTheirPrecision)
+{
+  forEachShape([](Pipeline& p) { expectToPassThroughSamples(p.balls(), 1e-7 * p.diagonal); });
+}
+
+TEST(PolarBalls, PassThroughTheirSamplesWhereTheseAreExact)
 {
   forEachShape([](Pipeline& p) {
-    const PolarBalls& balls = p.balls();
-    ASSERT_EQ(balls.ballSamples.size(), medial::count(balls.balls));
-    for (Index b = 0; b < balls.ballSamples.size(); ++b)
-    {
-      for (const Index s : balls.ballSamples[b])
-      {
-        const double distance = (balls.samples[s] - balls.balls[b].center).norm();
-        ASSERT_NEAR(distance, balls.balls[b].radius, 1e-9 * p.diagonal);
-      }
-    }
+    expectToPassThroughSamples(
+      medial::polarBallsAndSamples(p.shape.samples, { 0, 0 }).balls, 1e-9 * p.diagonal);
   });
 }
 

@@ -125,31 +125,24 @@ std::pair<int, int> sheetsOfABox(const std::vector<Point>& samples)
 
 // Exact on most samplings, see the known limits in Filters/README.md. Without cuts at the corners none is:
 // 4 to 11 sheets at the border.
-TEST(Pruning, LeavesTheThirteenPartsOfASampledBox)
+TEST(Pruning, LeavesTheThirteenPartsOfASampledBoxHoweverItLies)
 {
   int exact = 0;
-  for (const double spacing : { 0.07, 0.1, 0.14 })
+  for (const double spacing : { 0.1, 0.14 })
   {
     for (unsigned seed = 1; seed < 9; ++seed)
     {
-      SCOPED_TRACE(testing::Message() << "spacing " << spacing << ", seed " << seed);
-      const auto [outer, inner] = sheetsOfABox(shapes::box(spacing, seed).samples);
-      exact += outer == 12 && inner == 1;
-      EXPECT_NEAR(outer, 12, 2);
-      EXPECT_NEAR(inner, 1, 1);
+      const std::vector<Point> samples = shapes::box(spacing, seed).samples;
+      for (const bool turned : { false, true })
+      {
+        SCOPED_TRACE(testing::Message()
+          << "spacing " << spacing << ", seed " << seed << (turned ? ", turned" : ""));
+        const auto [outer, inner] = sheetsOfABox(turned ? shapes::rotated(samples, seed) : samples);
+        exact += outer == 12 && inner == 1;
+        EXPECT_NEAR(outer, 12, 2);
+        EXPECT_NEAR(inner, 1, 1);
+      }
     }
   }
-  EXPECT_GE(exact, 16) << "of 24 samplings";
-}
-
-TEST(Pruning, LeavesAboutThirteenPartsOfATurnedBox)
-{
-  for (unsigned seed = 1; seed < 6; ++seed)
-  {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    const std::vector<Point> samples = shapes::rotated(shapes::box(0.1, seed).samples, seed);
-    const auto [outer, inner] = sheetsOfABox(samples);
-    EXPECT_NEAR(outer, 12, 2);
-    EXPECT_NEAR(inner, 1, 1);
-  }
+  EXPECT_GE(exact, 22) << "of 32 samplings";
 }
