@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/DualComplex.h"
 
+#include "Axis/AxisVertices.h"
 #include "Axis/FacePolygon.h"
 #include "Axis/FaceTriangulation.h"
 #include "Axis/FreePlaces.h"
@@ -128,9 +129,11 @@ AxisComplex dualComplex(const PolarBalls& polarBalls, const SingularPoints& sing
 {
   const AxisVertices dual = axisVertices(sites, set);
   execution.poll();
-  std::vector<FacePolygon> polygons = voronoiFaces(sites, set, dual);
+  VoronoiFaces faces = voronoiFaces(sites, set, dual);
+  std::vector<FacePolygon>& polygons = faces.polygons;
   execution.poll();
   AllVertices vertices = allVertices(polarBalls, sites, frame, dual);
+  addMidpoints(faces.midpoints, frame, vertices);
   const MergedVertices merging = mergeVertices(vertices.places, vertices.pole, polygons);
   execution.poll();
   drop(merging.merged, vertices);
