@@ -10,7 +10,7 @@
  * gives the same samples.
  *
  * Input: any vtkPointSet with polygons that bound a solid. They are mended where that is clear: points
- * at the same place are made one, repeated polygons and those without an area are dropped, all are
+ * at the same place are made one (those that differ by rounding, too, if holes are left otherwise), repeated polygons and those without an area are dropped, all are
  * oriented, borders are stitched, holes smaller than a twentieth of the diagonal are filled. Cells
  * of other kinds are left out. Lengths are in the unit of the input.
  *

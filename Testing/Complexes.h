@@ -2,6 +2,7 @@
 #ifndef Complexes_h
 #define Complexes_h
 
+#include "Axis/FacePolygon.h"
 #include "Axis/MedialAxis.h"
 #include "Validators.h"
 
@@ -24,6 +25,27 @@ using medial::Triangle;
 inline validators::Complex complexOf(const AxisCells& cells)
 {
   return { cells.vertices, cells.edges, cells.triangles, {} };
+}
+
+/// Each face as a fan about a new vertex.
+inline validators::Complex complexOf(const std::vector<medial::FacePolygon>& polygons)
+{
+  validators::Complex complex;
+  Index apex = 1000000;
+  for (const medial::FacePolygon& polygon : polygons)
+  {
+    const std::vector<Index>& c = polygon.corners;
+    for (std::size_t i = 0; c.size() > 2 && i < c.size(); ++i)
+    {
+      complex.triangles.push_back({ apex, c[i], c[(i + 1) % c.size()] });
+    }
+    if (c.size() == 2)
+    {
+      complex.edges.push_back({ c[0], c[1] });
+    }
+    ++apex;
+  }
+  return complex;
 }
 
 inline MedialAxis axisOf(std::vector<Point> points, AxisCells cells)

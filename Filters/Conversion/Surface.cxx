@@ -39,7 +39,7 @@ ClosedSurface readSurface(
   {
     return closedSurface(points, polygons, execution.between(0, wrap ? 0.3 : 1));
   }
-  catch (const InvalidInput& error)
+  catch (const InvalidInput&)
   {
     if (!wrap)
     {

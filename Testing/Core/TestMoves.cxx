@@ -4,8 +4,10 @@
 #include "Pipelines.h"
 #include "PoissonDisk.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Frame.h"
 
-#include <algorithm>
+#include <array>
 #include <utility>
 
 // To make one vertex of several cells contracts what is dual to them. That keeps the topology if the cells
@@ -131,35 +131,28 @@ private:
     }
     for (int k = 0; k < 6; ++k)
     {
-      const bool isInFacet = cellEdges[k][0] != i && cellEdges[k][1] != i;
-      this->cellsAtEdge[this->sites.edges.ofCell[c][k]] += isInFacet;
+      this->cellsAtEdge[this->sites.edges.ofCell[c][k]] += isInFacet(k, i);
     }
   }
 
   /// Is the ball that begins with `first` still one with this cell? What the cell shares with the outside
-  /// of both must be connected and have Euler characteristic 1.
+  /// of both must be contractible.
   bool staysBall(Index cell, Index first) const
   {
-    int vertices = 0, edges = 0, facets = 0;
-    int component[4] = { 0, 1, 2, 3 };
+    std::array<bool, 4> vertices;
+    std::array<bool, 6> edges;
+    int facets = 0;
     for (int i = 0; i < 4; ++i)
     {
       const Index n = this->sites.mesh.neighbors[cell][i];
-      vertices += this->cellsAtVertex[this->sites.mesh.cells[cell][i]] > 1;
+      vertices[i] = this->cellsAtVertex[this->sites.mesh.cells[cell][i]] > 1;
       facets += n == None || this->firstCell[n] != first;
     }
-    int components = vertices;
     for (int k = 0; k < 6; ++k)
     {
-      if (this->cellsAtEdge[this->sites.edges.ofCell[cell][k]] > 1)
-      {
-        ++edges;
-        const int a = component[cellEdges[k][0]], b = component[cellEdges[k][1]];
-        components -= a != b;
-        std::replace(component, component + 4, b, a);
-      }
+      edges[k] = this->cellsAtEdge[this->sites.edges.ofCell[cell][k]] > 1;
     }
-    return components == 1 && vertices - edges + facets == 1;
+    return isContractible(vertices, edges, facets);
   }
 
   const SiteTriangulation& sites;

@@ -36,37 +36,23 @@ void markCell(const SiteTriangulation& sites, Index cell, Outside& outside)
   }
 }
 
-/// Is the edge cellEdges[k] in the facet opposite to corner i?
-bool isInFacet(int k, int i)
-{
-  return cellEdges[k][0] != i && cellEdges[k][1] != i;
-}
-
-/// Can the cell go without a change of topology? What it shares with the outside must be connected and
-/// have Euler characteristic 1. On the boundary of a tetrahedron that is a contractible piece: the whole
-/// boundary has 2, and a piece with a hole 0 or less.
+/// Can the cell go without a change of topology? What it shares with the outside must be contractible.
 bool isSimple(
   const SiteTriangulation& sites, const OpenSet& set, const Outside& outside, Index cell)
 {
-  int vertices = 0, edges = 0, facets = 0;
-  int component[4] = { 0, 1, 2, 3 };
+  std::array<bool, 4> vertices;
+  std::array<bool, 6> edges;
+  int facets = 0;
   for (int i = 0; i < 4; ++i)
   {
-    vertices += outside.vertices[sites.mesh.cells[cell][i]];
+    vertices[i] = outside.vertices[sites.mesh.cells[cell][i]];
     facets += isOpen(sites, set, cell, i);
   }
-  int components = vertices;
   for (int k = 0; k < 6; ++k)
   {
-    if (outside.edges[sites.edges.ofCell[cell][k]])
-    {
-      ++edges;
-      const int a = component[cellEdges[k][0]], b = component[cellEdges[k][1]];
-      components -= a != b;
-      std::replace(component, component + 4, b, a);
-    }
+    edges[k] = outside.edges[sites.edges.ofCell[cell][k]];
   }
-  return components == 1 && vertices - edges + facets == 1;
+  return isContractible(vertices, edges, facets);
 }
 
 /// Components of the set over shared facets, each known by its lowest cell.
@@ -116,6 +102,25 @@ Index closedRestPieces(const SiteTriangulation& sites, const OpenSet& set, const
   }
   return result;
 }
+}
+
+bool isContractible(
+  const std::array<bool, 4>& vertices, const std::array<bool, 6>& edges, int facets)
+{
+  int component[4] = { 0, 1, 2, 3 };
+  auto components = static_cast<int>(std::count(vertices.begin(), vertices.end(), true));
+  int euler = components + facets;
+  for (int k = 0; k < 6; ++k)
+  {
+    if (edges[k])
+    {
+      --euler;
+      const int a = component[cellEdges[k][0]], b = component[cellEdges[k][1]];
+      components -= a != b;
+      std::replace(component, component + 4, b, a);
+    }
+  }
+  return components == 1 && euler == 1;
 }
 
 Outside outsideOf(const SiteTriangulation& sites, const OpenSet& set)

@@ -278,8 +278,7 @@ void appendEdgesWithoutFace(const SiteTriangulation& sites, const OpenSet& set, 
       bool inFace = false;
       for (int k = 0; k < 6; ++k)
       {
-        const bool inFacet = cellEdges[k][0] != i && cellEdges[k][1] != i;
-        inFace = inFace || (inFacet && faces[sites.edges.ofCell[c][k]] != None);
+        inFace = inFace || (isInFacet(k, i) && faces[sites.edges.ofCell[c][k]] != None);
       }
       if (!inFace && vertices.ofCell[c] != vertices.ofCell[n])
       {

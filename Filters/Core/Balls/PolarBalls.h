@@ -18,7 +18,8 @@ namespace medial
 ///
 /// A polar ball is centred at a pole: a farthest Voronoi vertex of a sample's cell, inside or
 /// outside the solid. One ball stands for all Delaunay cells with the same circumsphere, as far as the
-/// samples' precision tells; its samples are on its sphere up to that (DistinctSamples::precision, at most leastPrecision spacings). Lengths are in the unit of the samples, volumes in its cube.
+/// samples' precision tells; its samples are on its sphere up to that (DistinctSamples::precision, at
+/// most leastPrecision spacings). Lengths are in the unit of the samples, volumes in its cube.
 struct PolarBalls
 {
   // One entry for each sample, in the order of the input.

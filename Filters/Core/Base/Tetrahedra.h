@@ -33,6 +33,12 @@ std::vector<Tetrahedron> renumbered(
 /// The six edges of a cell as pairs of corner numbers.
 constexpr int cellEdges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
 
+/// Is the edge cellEdges[k] in the facet opposite to corner i?
+constexpr bool isInFacet(int k, int i)
+{
+  return cellEdges[k][0] != i && cellEdges[k][1] != i;
+}
+
 /// The cells with their neighbours found from shared triangles.
 /// @throw InvalidInput  a triangle has more than two cells
 Tetrahedra withNeighbors(std::vector<Tetrahedron> cells);

@@ -18,8 +18,8 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
-#include <numeric>
 #include <optional>
 #include <utility>
 

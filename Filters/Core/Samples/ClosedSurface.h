@@ -16,8 +16,10 @@ namespace medial
 /// What was done to polygons until they were a closed surface.
 struct SurfaceRepairs
 {
-  Index mergedPoints = 0;    ///< points that count as another one at their place
-  Index droppedPolygons = 0; ///< without an area by their corners, or the same as another one
+  Index mergedPoints = 0; ///< points that count as another one at their place
+  Index droppedPolygons =
+    0; ///< without three different corners, the same as another one, or that enclose
+       ///< nothing at a T vertex
   Index filledHoles = 0;
   Index filledTriangles = 0; ///< in those
 };

@@ -234,27 +234,21 @@ void dropHangingPatches(PolygonSoup& soup)
     }
   });
   std::vector<char> isFree(soup.triangles.size(), 0); // the patch has a free border
-  std::vector<char> stays(soup.triangles.size(), 0);  // something would be left open without it
   forEachEdge(edges, [&](auto first, auto last) {
     if (last - first == 1)
     {
       isFree[patches.find((*first)[2])] = 1;
     }
   });
+  std::vector<char> isHeld(soup.triangles.size(), 0); // by edges of two others
+  std::vector<char> stays(soup.triangles.size(), 0);  // something would be left open without it
   forEachEdge(edges, [&](auto first, auto last) {
-    const auto hangs = [&](const std::array<Index, 3>& e) { return isFree[patches.find(e[2])]; };
-    if (last - first > 2 && (last - first > 3 || std::count_if(first, last, hangs) != 1))
+    const auto hangs = [&](const auto& e) { return isFree[patches.find(e[2])]; };
+    if (last - first > 2)
     {
-      std::for_each(
-        first, last, [&](const std::array<Index, 3>& e) { stays[patches.find(e[2])] = 1; });
-    }
-  });
-  std::vector<char> isHeld(soup.triangles.size(), 0); // by an edge of two others
-  forEachEdge(edges, [&](auto first, auto last) {
-    if (last - first == 3)
-    {
-      std::for_each(
-        first, last, [&](const std::array<Index, 3>& e) { isHeld[patches.find(e[2])] = 1; });
+      const bool oneHangs = last - first == 3 && std::count_if(first, last, hangs) == 1;
+      std::vector<char>& mark = oneHangs ? isHeld : stays;
+      std::for_each(first, last, [&](const auto& e) { mark[patches.find(e[2])] = 1; });
     }
   });
   Index kept = 0;

@@ -6,10 +6,10 @@
 #include "Samples/PolygonSoup.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -51,16 +51,11 @@ Mesh wrapped(const PolygonSoup& soup, double alpha, double offset, const Executi
   {
     points.emplace_back(p.x(), p.y(), p.z());
   }
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for (const Triangle& t : soup.triangles)
-  {
-    triangles.push_back({ std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2]) });
-  }
   Visitor visitor;
   visitor.execution = &execution;
   Mesh result;
-  CGAL::alpha_wrap_3(points, triangles, alpha, offset, result, CGAL::parameters::default_values(),
-    CGAL::parameters::visitor(std::ref(visitor)));
+  CGAL::alpha_wrap_3(points, soup.triangles, alpha, offset, result,
+    CGAL::parameters::default_values(), CGAL::parameters::visitor(std::ref(visitor)));
   return result;
 }
 
@@ -79,22 +74,17 @@ void checkIsNoShell(const ClosedSurface& wrap, double width, double offset)
 /// The points and triangles of a mesh.
 std::pair<std::vector<Point>, IndexLists> listed(const Mesh& mesh)
 {
-  std::vector<Index> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), None);
+  std::vector<Kernel::Point_3> points;
+  std::vector<std::vector<std::size_t>> triangles;
+  CGAL::Polygon_mesh_processing::polygon_mesh_to_polygon_soup(mesh, points, triangles);
   std::pair<std::vector<Point>, IndexLists> result;
-  for (const Mesh::Vertex_index v : mesh.vertices())
+  for (const Kernel::Point_3& p : points)
   {
-    number[v.idx()] = count(result.first);
-    const Kernel::Point_3& p = mesh.point(v);
     result.first.emplace_back(p.x(), p.y(), p.z());
   }
-  for (const Mesh::Face_index f : mesh.faces())
+  for (const std::vector<std::size_t>& t : triangles)
   {
-    std::vector<Index> corners;
-    for (const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
-    {
-      corners.push_back(number[v.idx()]);
-    }
-    result.second.append(corners);
+    result.second.append(std::vector<Index>(t.begin(), t.end()));
   }
   return result;
 }

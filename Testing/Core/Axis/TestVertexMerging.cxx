@@ -28,25 +28,9 @@ std::vector<FacePolygon> polygonsOf(const medial::AxisCells& cells)
   return result;
 }
 
-/// Each face as a fan about a new vertex.
 medial::Betti bettiNumbers(const std::vector<FacePolygon>& polygons)
 {
-  validators::Complex complex;
-  Index apex = 1000000;
-  for (const FacePolygon& polygon : polygons)
-  {
-    const std::vector<Index>& c = polygon.corners;
-    for (std::size_t i = 0; c.size() > 2 && i < c.size(); ++i)
-    {
-      complex.triangles.push_back({ apex, c[i], c[(i + 1) % c.size()] });
-    }
-    if (c.size() == 2)
-    {
-      complex.edges.push_back({ c[0], c[1] });
-    }
-    ++apex;
-  }
-  return validators::bettiNumbers(complex);
+  return validators::bettiNumbers(complexes::complexOf(polygons));
 }
 
 std::vector<std::vector<Index>> simplePolygons(const std::vector<Index>& walk)

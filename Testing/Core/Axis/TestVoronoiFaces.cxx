@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/VoronoiFaces.h"
 #include "Base/Triangulations.h"
+#include "Complexes.h"
 #include "Validators.h"
 
 #include <gtest/gtest.h>
@@ -63,27 +64,13 @@ void putOnBalls(std::mt19937& random, int ballCount, double share, SiteTriangula
   }
 }
 
-/// Each face as a fan about a new vertex, and all dual vertices.
+/// Of the faces and all dual vertices.
 medial::Betti bettiNumbers(const VoronoiFaces& faces, const AxisVertices& vertices)
 {
-  validators::Complex complex;
+  validators::Complex complex = complexes::complexOf(faces.polygons);
   for (Index v = 0; v < medial::count(vertices.firstCell); ++v)
   {
     complex.vertices.push_back(v);
-  }
-  Index apex = 1000000;
-  for (const FacePolygon& polygon : faces.polygons)
-  {
-    const std::vector<Index>& c = polygon.corners;
-    for (std::size_t i = 0; c.size() > 2 && i < c.size(); ++i)
-    {
-      complex.triangles.push_back({ apex, c[i], c[(i + 1) % c.size()] });
-    }
-    if (c.size() == 2)
-    {
-      complex.edges.push_back({ c[0], c[1] });
-    }
-    ++apex;
   }
   return validators::bettiNumbers(complex);
 }
