@@ -64,9 +64,10 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
       break;
     }
     ++result.rounds;
-    sampler.refine(tooFarApart(places, made.balls));
     done = half + (1 - half) / 4;
-    result.samples = sampler.samples(execution.between(half, done));
+    const double between = (half + done) / 2;
+    sampler.refine(tooFarApart(places, made.balls), execution.between(half, between));
+    result.samples = sampler.samples(execution.between(between, done));
     result.warnings = result.samples.warnings;
   }
   execution.report(1);

@@ -74,7 +74,12 @@ std::vector<Index> Neighbors::nearest(Index point, Index howMany) const
 
 std::vector<Index> Neighbors::within(Index point, double distance) const
 {
-  const Numbered center{ toKernel(this->implementation->points[point]), point };
+  return this->within(this->implementation->points[point], distance);
+}
+
+std::vector<Index> Neighbors::within(const Point& place, double distance) const
+{
+  const Numbered center{ toKernel(place), None };
   std::vector<Numbered> found;
   this->implementation->tree.search(
     std::back_inserter(found), CGAL::Fuzzy_sphere<Traits>(center, distance));

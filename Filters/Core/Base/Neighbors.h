@@ -27,6 +27,9 @@ public:
   /// The points, itself among them, that are at most so far from a point; in no particular order.
   std::vector<Index> within(Index point, double distance) const;
 
+  /// The points that are at most so far from a place; in no particular order.
+  std::vector<Index> within(const Point& place, double distance) const;
+
 private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation;

@@ -58,6 +58,7 @@ struct BoundarySampler::Implementation
     , options(theOptions)
     , lines(sharpLines(triangles, theOptions.sharpAngle))
     , largest(theOptions.spacing > 0 ? theOptions.spacing : usualSpacing(surface))
+    , edges(wedgeEdges(this->triangles, this->lines, this->largest))
     , field(this->largest)
   {
     if (this->options.adaptive)
@@ -94,12 +95,25 @@ struct BoundarySampler::Implementation
     }
   }
 
+  /// Pairs on both sides of narrow wedges were not enough: measures how thin these are.
+  void sampleWedgesAsWalls(const Execution& execution)
+  {
+    constexpr double wide = 120; // between the normals
+    this->edges.clear();
+    this->lines = sharpLines(this->triangles, this->options.sharpAngle, wide);
+    if (this->options.adaptive)
+    {
+      this->probes = {};
+      this->adapt(execution);
+    }
+  }
+
   /// Adds what is measured at samples. @return  how many ask for much less than the spacing was
   Index measure(
     const std::vector<SurfacePoint>& at, const SpacingField& before, const Execution& execution)
   {
     const std::vector<double> thickness =
-      localThickness(at, this->tree, this->triangles.normals, execution);
+      localThickness(at, this->tree, this->triangles.normals, this->edges, execution);
     Index finer = 0;
     for (std::size_t i = 0; i < at.size(); ++i)
     {
@@ -119,10 +133,12 @@ struct BoundarySampler::Implementation
   void limit(const Execution& execution)
   {
     double least = 0;
-    while (expectedSamples(this->triangles, this->field, execution) > this->options.maximumSamples)
+    this->expected = expectedSamples(this->triangles, this->field, execution);
+    while (this->expected > this->options.maximumSamples)
     {
       least = std::max(1.2 * least, this->smallest());
       this->field = this->field.atLeast(least);
+      this->expected = expectedSamples(this->triangles, this->field, execution);
     }
     this->warnings.clear();
     if (least > 0)
@@ -140,8 +156,11 @@ struct BoundarySampler::Implementation
   SamplingOptions options;
   std::vector<SharpLine> lines;
   double largest;
+  std::vector<WedgeEdge> edges;
   Probes probes;
   SpacingField field;
+  double expected = 0; ///< samples
+  bool refined = false;
   Warnings warnings;
 };
 
@@ -169,15 +188,23 @@ BoundarySamples BoundarySampler::samples(const Execution& execution) const
   return result;
 }
 
-void BoundarySampler::refine(const std::vector<Point>& places)
+void BoundarySampler::refine(const std::vector<Point>& places, const Execution& execution)
 {
   Implementation& known = *this->implementation;
+  // A few spots, such as the end of an edge, become right that way; more of them in wedges don't.
+  constexpr double few = 0.005; // of the samples; a spot has about five places
+  const bool areSpots = !known.refined && count(places) <= few * known.expected;
+  known.refined = true;
+  if (!known.edges.empty() && !areSpots)
+  {
+    known.sampleWedgesAsWalls(execution);
+  }
   for (const Point& place : places)
   {
     known.probes.places.push_back(place);
     known.probes.spacings.push_back(known.field.at(place) / 2);
   }
   known.field = SpacingField(known.largest, known.probes.places, known.probes.spacings);
-  known.limit({});
+  known.limit(execution);
 }
 }

@@ -4,6 +4,7 @@
 #include "Base/Neighbors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 // Shrinking balls: the first ball is between the point and the wall that a ray along the normal meets. While
@@ -15,15 +16,21 @@ namespace
 {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+/// A ball between a point of the surface and an opposite wall.
+struct Span
+{
+  double width = infinite; ///< its diameter
+  Point opposite;          ///< normal of the wall
+};
+
 /// One side of one sample.
-double thickness(const SurfacePoint& at, const Point& inwards,
-  const std::vector<SurfacePoint>& samples, const Neighbors& neighbors, const SurfaceTree& tree,
-  const std::vector<Point>& triangleNormals)
+Span spanAt(const SurfacePoint& at, const Point& inwards, const std::vector<SurfacePoint>& samples,
+  const Neighbors& neighbors, const SurfaceTree& tree, const std::vector<Point>& triangleNormals)
 {
   const auto met = tree.firstMet(at.position, inwards, at.triangle);
   if (!met)
   {
-    return infinite;
+    return {};
   }
   double radius = (met->point - at.position).norm() / 2;
   Point opposite = triangleNormals[met->triangle];
@@ -44,8 +51,79 @@ double thickness(const SurfacePoint& at, const Point& inwards,
   }
   // 100 degrees and more between the normals: no edge of a box, and all that is thinner than it is wide.
   constexpr double isOpposite = -0.17; // cosine
-  return at.normal.dot(opposite) < isOpposite ? 2 * radius : infinite;
+  return { at.normal.dot(opposite) < isOpposite ? 2 * radius : infinite, opposite };
 }
+
+/// Knows where the two walls of a span meet.
+class Wedges
+{
+public:
+  explicit Wedges(const std::vector<WedgeEdge>& theEdges)
+    : edges(theEdges)
+    , places(positionsOf(theEdges))
+    , neighbors(this->places)
+  {
+    for (const WedgeEdge& edge : this->edges)
+    {
+      this->longest = std::max(this->longest, (edge.ends[1] - edge.ends[0]).norm());
+    }
+  }
+
+  bool holds(const SurfacePoint& at, const Span& span) const
+  {
+    if (this->edges.empty() || span.width == infinite)
+    {
+      return false;
+    }
+    // The ball between two planes at this angle is so wide at a distance of one from where they meet.
+    const double cosine = std::clamp(-at.normal.dot(span.opposite), -1.0, 1.0);
+    const double slope = 2 * std::sqrt((1 - cosine) / (1 + cosine));
+    constexpr double narrow = 0.052; // three degrees: thin far behind its edge, as a thin wall is
+    if (slope < narrow)
+    {
+      return false;
+    }
+    constexpr double about = 1.5; // the walls may be curved a little
+    const double farthest = about * span.width / slope;
+    const std::vector<Index> near =
+      this->neighbors.within(at.position, farthest + this->longest / 2);
+    return std::any_of(near.begin(), near.end(), [&](Index i) {
+      return distance(this->edges[i].ends, at.position) < farthest &&
+        isBetween(this->edges[i], at.normal, span.opposite);
+    });
+  }
+
+private:
+  static std::vector<Point> positionsOf(const std::vector<WedgeEdge>& edges)
+  {
+    std::vector<Point> result;
+    for (const WedgeEdge& edge : edges)
+    {
+      result.push_back((edge.ends[0] + edge.ends[1]) / 2);
+    }
+    return result;
+  }
+
+  static double distance(const std::array<Point, 2>& ends, const Point& from)
+  {
+    const Point along = ends[1] - ends[0];
+    const double t = along.dot(from - ends[0]) / along.squaredNorm();
+    return (ends[0] + std::clamp(t, 0.0, 1.0) * along - from).norm();
+  }
+
+  static bool isBetween(const WedgeEdge& edge, const Point& a, const Point& b)
+  {
+    constexpr double like = 0.9; // cosine
+    const auto& [first, second] = edge.normals;
+    return (a.dot(first) > like && b.dot(second) > like) ||
+      (a.dot(second) > like && b.dot(first) > like);
+  }
+
+  const std::vector<WedgeEdge>& edges;
+  std::vector<Point> places;
+  Neighbors neighbors;
+  double longest = 0; ///< piece of an edge
+};
 }
 
 std::vector<Point> positions(const std::vector<SurfacePoint>& samples)
@@ -57,8 +135,10 @@ std::vector<Point> positions(const std::vector<SurfacePoint>& samples)
 }
 
 std::vector<double> localThickness(const std::vector<SurfacePoint>& samples,
-  const SurfaceTree& tree, const std::vector<Point>& triangleNormals, const Execution& execution)
+  const SurfaceTree& tree, const std::vector<Point>& triangleNormals,
+  const std::vector<WedgeEdge>& edges, const Execution& execution)
 {
+  const Wedges wedges(edges);
   const std::vector<Point> places = positions(samples);
   const Neighbors neighbors(places);
   std::vector<double> result(samples.size());
@@ -66,8 +146,9 @@ std::vector<double> localThickness(const std::vector<SurfacePoint>& samples,
     result[i] = infinite;
     for (const double side : { -1.0, 1.0 })
     {
-      result[i] = std::min(result[i],
-        thickness(samples[i], side * samples[i].normal, samples, neighbors, tree, triangleNormals));
+      const Span span =
+        spanAt(samples[i], side * samples[i].normal, samples, neighbors, tree, triangleNormals);
+      result[i] = wedges.holds(samples[i], span) ? result[i] : std::min(result[i], span.width);
     }
   });
   return result;

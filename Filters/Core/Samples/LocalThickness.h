@@ -6,6 +6,7 @@
 #include "Base/SurfaceTree.h"
 #include "Base/Types.h"
 
+#include <array>
 #include <vector>
 
 namespace medial
@@ -20,17 +21,25 @@ struct SurfacePoint
 
 std::vector<Point> positions(const std::vector<SurfacePoint>& samples);
 
+/// A piece of an edge where two walls meet in a wedge.
+struct WedgeEdge
+{
+  std::array<Point, 2> ends;    ///< of a piece of it
+  std::array<Point, 2> normals; ///< of the two walls, of length 1
+};
+
 /// How thick the solid is at samples of its surface, or the gap outside, whichever is less: the diameter
 /// of the largest ball that touches the surface there and is free of it, if the ball touches an opposite
-/// wall, or the surface bends around it. Infinite where the ball only reaches into an edge, and where there is
-/// nothing opposite.
+/// wall, or the surface bends around it. Infinite where the ball only reaches into an edge, where the two
+/// walls meet at one of the given edges (a wedge is as thin as one likes there), and where there is nothing
+/// opposite.
 ///
 /// Exact straight across; beside that, what is thinner than the samples are apart can be missed.
 /// Costs a few searches in trees for each sample.
 /// @param triangleNormals  of the surface in the tree, of length 1
 std::vector<double> localThickness(const std::vector<SurfacePoint>& samples,
   const SurfaceTree& tree, const std::vector<Point>& triangleNormals,
-  const Execution& execution = {});
+  const std::vector<WedgeEdge>& edges = {}, const Execution& execution = {});
 }
 
 #endif

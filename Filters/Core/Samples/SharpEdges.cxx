@@ -14,8 +14,14 @@ namespace medial
 {
 namespace
 {
-/// All edges between two triangles whose normals differ enough, in the order of their ends.
-std::vector<SharpEdge> sharpEdges(const TriangleSet& surface, double cosine)
+double cosineOf(double degrees)
+{
+  return std::cos(degrees * 3.14159265358979323846 / 180);
+}
+
+/// All edges between two triangles the cosine of whose normals is below one and above the other, in the order
+/// of their ends.
+std::vector<SharpEdge> sharpEdges(const TriangleSet& surface, double cosine, double least)
 {
   struct Side
   {
@@ -40,9 +46,8 @@ std::vector<SharpEdge> sharpEdges(const TriangleSet& surface, double cosine)
   {
     const Side &first = sides[i - 1], &second = sides[i];
     const double along = surface.normals[first.triangle].dot(surface.normals[second.triangle]);
-    constexpr double narrow = -0.5; // cosine: wedges of less than 60 degrees have no room for pairs
     if (first.sorted == second.sorted && surface.areas[first.triangle] > 0 &&
-      surface.areas[second.triangle] > 0 && along < cosine && along > narrow)
+      surface.areas[second.triangle] > 0 && along < cosine && along > least)
     {
       const Triangle& t = surface.triangles[first.triangle];
       result.push_back(
@@ -151,6 +156,9 @@ struct LinePlace
   const SharpEdge* edge;
 };
 
+/// Shorter lines are noise of a scan; in spacings.
+constexpr double shortest = 3;
+
 /// Places along a line, about as far apart as the spacing; half of that from its ends where it ends.
 std::vector<LinePlace> placesOn(
   const SharpLine& line, const TriangleSet& surface, const SpacingField& spacing)
@@ -172,7 +180,6 @@ std::vector<LinePlace> placesOn(
     lengths.push_back(lengths.back() + sum);
   }
   std::vector<LinePlace> result;
-  constexpr double shortest = 3; // spacings
   if (lengths.back() < shortest)
   {
     return result;
@@ -191,6 +198,21 @@ std::vector<LinePlace> placesOn(
     result.push_back({ (1 - t) * at(ends[0]) + t * at(ends[1]), &line[e] });
   }
   return result;
+}
+
+/// How many rows of pairs the narrowest wedge of a line has.
+int rowsOf(const SharpLine& line, const TriangleSet& surface)
+{
+  double cosine = -1; // of the angle between the walls
+  for (const SharpEdge& edge : line)
+  {
+    cosine =
+      std::max(cosine, -surface.normals[edge.triangles[0]].dot(surface.normals[edge.triangles[1]]));
+  }
+  // A wedge is two spacings thick as many spacings from its edge.
+  constexpr double most = 38; // three degrees: narrower wedges are sampled as densely as thin walls
+  return static_cast<int>(
+    std::clamp(std::sqrt((1 + cosine) / std::max(1 - cosine, 1e-9)), 1.0, most));
 }
 
 /// The samples on both sides of a place on an edge, if both faces have room for them.
@@ -218,10 +240,41 @@ std::optional<std::array<SurfacePoint, 2>> pairAt(
 }
 }
 
-std::vector<SharpLine> sharpLines(const TriangleSet& surface, double angle)
+std::vector<SharpLine> sharpLines(const TriangleSet& surface, double angle, double straight)
 {
-  const double cosine = std::cos(angle * 3.14159265358979323846 / 180);
-  return Follower(surface, sharpEdges(surface, cosine), cosine).lines();
+  const double cosine = cosineOf(angle);
+  const double least =
+    straight < 180 ? cosineOf(straight) : -2; // no cosine of rounded normals is less
+  return Follower(surface, sharpEdges(surface, cosine, least), cosine).lines();
+}
+
+std::vector<WedgeEdge> wedgeEdges(
+  const TriangleSet& surface, const std::vector<SharpLine>& lines, double spacing)
+{
+  std::vector<WedgeEdge> result;
+  for (const SharpLine& line : lines)
+  {
+    std::vector<WedgeEdge> pieces;
+    double length = 0;
+    for (const SharpEdge& edge : line)
+    {
+      const Point& from = surface.points[edge.ends[0]];
+      const Point whole = surface.points[edge.ends[1]] - from;
+      const double wanted = std::ceil(2 * whole.norm() / spacing);
+      const auto number = static_cast<int>(std::clamp(wanted, 1.0, 1e4));
+      for (int i = 0; i < number; ++i)
+      {
+        pieces.push_back({ { from + i * whole / number, from + (i + 1) * whole / number },
+          { surface.normals[edge.triangles[0]], surface.normals[edge.triangles[1]] } });
+      }
+      length += whole.norm();
+    }
+    if (length >= shortest * spacing)
+    {
+      result.insert(result.end(), pieces.begin(), pieces.end());
+    }
+  }
+  return result;
 }
 
 std::vector<SurfacePoint> mirroredSamples(const TriangleSet& surface, const SurfaceTree& tree,
@@ -232,15 +285,20 @@ std::vector<SurfacePoint> mirroredSamples(const TriangleSet& surface, const Surf
   std::vector<double> distances;
   for (const SharpLine& line : lines)
   {
-    for (const LinePlace& place : placesOn(line, surface, spacing))
+    const std::vector<LinePlace> along = placesOn(line, surface, spacing);
+    const int rows = rowsOf(line, surface);
+    for (int row = 0; row < rows; ++row)
     {
-      const double distance = spacing.at(place.point) / 2;
-      if (const auto pair = pairAt(place, surface, tree, distance))
+      for (const LinePlace& place : along)
       {
-        pairs.push_back(*pair);
-        distances.push_back(distance);
-        places.push_back((*pair)[0].position);
-        places.push_back((*pair)[1].position);
+        const double half = spacing.at(place.point) / 2;
+        if (const auto pair = pairAt(place, surface, tree, (2 * row + 1) * half))
+        {
+          pairs.push_back(*pair);
+          distances.push_back(half);
+          places.push_back((*pair)[0].position);
+          places.push_back((*pair)[1].position);
+        }
       }
     }
   }

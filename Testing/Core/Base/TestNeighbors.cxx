@@ -41,3 +41,21 @@ TEST(Neighbors, AreAllOthersWhereThereAreFew)
   const std::vector<Point> points = shapes::cloud(4, 1);
   EXPECT_EQ(medial::Neighbors(points).nearest(2, 6).size(), 3u);
 }
+
+TEST(Neighbors, WithinADistanceOfAPlaceAreAllThatAre)
+{
+  const std::vector<Point> points = shapes::cloud(300, 4);
+  const Point place = (points[0] + points[1]) / 2;
+  const double distance = (points[2] - place).norm() * (1 + 1e-9);
+  std::vector<Index> expected;
+  for (Index q = 0; q < medial::count(points); ++q)
+  {
+    if ((points[q] - place).norm() <= distance)
+    {
+      expected.push_back(q);
+    }
+  }
+  std::vector<Index> found = medial::Neighbors(points).within(place, distance);
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, expected);
+}

@@ -119,6 +119,22 @@ TEST(BoundarySamples, AreEnoughOfASurfaceWithFewPoints)
   EXPECT_LT(samples.points.size(), 21000);
 }
 
+/// A wedge is as thin as one likes at its edge, but needs no more samples than a box, where these are enough.
+TEST(BoundarySamples, AreNotDenserAtTheEdgeOfAWedge)
+{
+  const Solid wedge(meshes::wedge(30));
+  BoundarySampler sampler(wedge.surface, wedge.tree, {});
+  const BoundarySamples pairs = sampler.samples();
+  EXPECT_GT(pairs.points.size(), 15000);
+  EXPECT_LT(pairs.points.size(), 25000);
+  const Point atEdge(0.01, 0, 0.5);
+  const Point elsewhere = wedge.tree.nearest(Point(1, 0.2, 0.5)).point;
+  sampler.refine({ elsewhere });
+  EXPECT_EQ(near(sampler.samples(), atEdge, 0.03), near(pairs, atEdge, 0.03));
+  sampler.refine({ elsewhere }); // that was not enough
+  EXPECT_GT(near(sampler.samples(), atEdge, 0.03), 2 * near(pairs, atEdge, 0.03)); // as in a wall
+}
+
 void expectRefusal(const SamplingOptions& options, const std::string& says)
 {
   try

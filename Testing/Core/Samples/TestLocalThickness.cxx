@@ -4,6 +4,7 @@
 #include "Executions.h"
 #include "Meshes.h"
 #include "Samples/BlueNoise.h"
+#include "Samples/SharpEdges.h"
 
 #include <gtest/gtest.h>
 
@@ -30,14 +31,26 @@ struct Measured
   std::vector<double> thickness;
 };
 
-Measured measured(const Mesh& mesh, double spacing, const medial::Execution& execution = {})
+enum class Edges
+{
+  Unknown,
+  Known
+};
+
+Measured measured(const Mesh& mesh, double spacing, Edges edges = Edges::Unknown,
+  const medial::Execution& execution = {})
 {
   const std::vector<Triangle> triangles = meshes::triangles(meshes::triangulated(mesh));
   const medial::TriangleSet set = medial::triangleSet(mesh.points, triangles);
   const medial::SurfaceTree tree(mesh.points, triangles);
   Measured result;
   result.samples = medial::blueNoise(set, medial::SpacingField(spacing), {});
-  result.thickness = medial::localThickness(result.samples, tree, set.normals, execution);
+  std::vector<medial::WedgeEdge> known;
+  if (edges == Edges::Known)
+  {
+    known = medial::wedgeEdges(set, medial::sharpLines(set, 30), spacing);
+  }
+  result.thickness = medial::localThickness(result.samples, tree, set.normals, known, execution);
   return result;
 }
 
@@ -123,9 +136,55 @@ TEST(LocalThickness, OfABowlIsThatOfItsWall)
   EXPECT_GT(found, 0.95 * double(bowl.thickness.size()));
 }
 
+/// The least thickness of samples on the two walls that meet along z, farther than a distance from it.
+double leastOnWalls(const Measured& wedge, double from)
+{
+  double result = infinite;
+  for (std::size_t i = 0; i < wedge.samples.size(); ++i)
+  {
+    const SurfacePoint& sample = wedge.samples[i];
+    const bool isOnWall = std::abs(sample.normal.z()) < 0.5 && sample.normal.x() < 0.5;
+    const double height = std::min(sample.position.z(), 1 - sample.position.z());
+    if (isOnWall && height > 0.2 && sample.position.x() > from)
+    {
+      result = std::min(result, wedge.thickness[i]);
+    }
+  }
+  return result;
+}
+
+TEST(LocalThickness, OfAWedgeIsNotMeasuredAcrossItsWalls)
+{
+  const Mesh wedge = meshes::wedge(30);
+  EXPECT_LT(leastOnWalls(measured(wedge, 0.05), 0), 0.1); // as little as one likes
+  EXPECT_EQ(leastOnWalls(measured(wedge, 0.05, Edges::Known), 0), infinite);
+}
+
+/// What is thin far behind its edge is thin.
+TEST(LocalThickness, OfAVeryNarrowWedgeIs)
+{
+  const Mesh wedge = meshes::wedge(2);
+  const double least = leastOnWalls(measured(wedge, 0.05, Edges::Known), 0.5);
+  const double expected = 2 * 0.5 * std::tan(3.14159265358979323846 / 180);
+  EXPECT_GT(least, 0.9 * expected);
+  EXPECT_LT(least, 1.4 * expected);
+}
+
+/// The walls of a blunt wedge would meet behind its end: the end is thin.
+TEST(LocalThickness, OfABluntWedgeIsThatOfItsEnd)
+{
+  Mesh blunt = meshes::box(Point::Zero(), Point(1, 0.02, 1));
+  for (Point& point : blunt.points)
+  {
+    point.y() += point.y() > 0 ? std::tan(0.5) * point.x() : 0;
+  }
+  EXPECT_LT(leastOnWalls(measured(blunt, 0.02, Edges::Known), 0), 0.05);
+}
+
 TEST(LocalThickness, DoesNotDependOnThreads)
 {
   const Mesh mesh = meshes::torus();
-  EXPECT_EQ(measured(mesh, 0.2, pipelines::threaded()).thickness, measured(mesh, 0.2).thickness);
+  EXPECT_EQ(measured(mesh, 0.2, Edges::Known, pipelines::threaded()).thickness,
+    measured(mesh, 0.2, Edges::Known).thickness);
 }
 }

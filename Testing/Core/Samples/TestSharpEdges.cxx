@@ -103,12 +103,48 @@ TEST(SharpEdges, AreNoneOnASmoothSurface)
   EXPECT_TRUE(Surface(meshes::torus()).samples(0.1).empty());
 }
 
-TEST(SharpEdges, AreNoneInNarrowWedges)
+TEST(SharpEdges, OfAWedgeAreLeftOutWhereTheyAreNarrower)
 {
-  EXPECT_EQ(Surface(meshes::wedge(45)).lines.size(), 7); // without two along z
-  EXPECT_EQ(Surface(meshes::wedge(59)).lines.size(), 7); // and 31 degrees
-  const Surface wide(meshes::wedge(20));
-  EXPECT_EQ(wide.lines.size(), 8); // 20 and 70 degrees
+  const auto lines = [](double degrees, double straight) {
+    return medial::sharpLines(Surface(meshes::wedge(degrees)).set, angle, straight).size();
+  };
+  EXPECT_EQ(lines(45, 180), 9);
+  EXPECT_EQ(lines(45, 120), 7); // without two along z
+  EXPECT_EQ(lines(59, 120), 7); // and 31 degrees
+  EXPECT_EQ(lines(20, 120), 8); // 20 and 70 degrees
+}
+
+/// The pieces lie on the lines and cover them, with the normals of the walls beside them.
+TEST(WedgeEdges, AreShortPiecesOfTheLines)
+{
+  const Surface wedge(meshes::wedge(30));
+  const double spacing = 0.1;
+  const std::vector<medial::WedgeEdge> pieces = medial::wedgeEdges(wedge.set, wedge.lines, spacing);
+  double length = 0, expected = 0;
+  for (const medial::WedgeEdge& piece : pieces)
+  {
+    const Point along = piece.ends[1] - piece.ends[0];
+    EXPECT_LE(along.norm(), spacing);
+    length += along.norm();
+    for (const Point& normal : piece.normals)
+    {
+      EXPECT_NEAR(normal.dot(along), 0, 1e-12);
+    }
+  }
+  for (const SharpLine& line : wedge.lines)
+  {
+    for (const SharpEdge& edge : line)
+    {
+      expected += (wedge.points[edge.ends[1]] - wedge.points[edge.ends[0]]).norm();
+    }
+  }
+  EXPECT_NEAR(length, expected, 1e-9);
+}
+
+TEST(WedgeEdges, AreNoneOfShortLines)
+{
+  const Surface wedge(meshes::wedge(30));
+  EXPECT_EQ(medial::wedgeEdges(wedge.set, wedge.lines, 10).size(), 0);
 }
 
 /// For each sample there is the mirror image in the plane that halves the edge next to it.
@@ -147,6 +183,35 @@ TEST(MirroredSamples, AreBesideConcaveEdges)
   };
   EXPECT_EQ(near(Point(1, 1, 0)), 2 * 20); // along an inner edge of length 5
   EXPECT_EQ(near(Point(0, 0, 0)), 2 * 20); // and an outer one
+}
+
+/// Pairs beside the edge along z, each at the same height and as far from it as its mirror image, in rows up to
+/// where the wedge is two spacings thick.
+TEST(MirroredSamples, AreInRowsInANarrowWedge)
+{
+  const double degrees = 20, spacing = 0.05;
+  double farthest = 0;
+  const std::vector<SurfacePoint> samples = Surface(meshes::wedge(degrees)).samples(spacing);
+  for (const SurfacePoint& sample : samples)
+  {
+    const bool isOnWall = std::abs(sample.normal.z()) < 0.5 && sample.normal.x() < 0.5;
+    const Point& p = sample.position;
+    const double r = std::hypot(p.x(), p.y());
+    const bool isInTheMiddle = std::min(p.z(), 1 - p.z()) > 0.2 && r < 0.6;
+    if (isOnWall && isInTheMiddle)
+    {
+      const double turn = degrees * 3.14159265358979323846 / 180;
+      const Point image =
+        p.y() < 1e-9 ? Point(r * std::cos(turn), r * std::sin(turn), p.z()) : Point(r, 0, p.z());
+      EXPECT_TRUE(std::any_of(samples.begin(), samples.end(),
+        [&image](const SurfacePoint& other) { return (other.position - image).norm() < 1e-9; }))
+        << p.transpose();
+      farthest = std::max(farthest, r);
+    }
+  }
+  const double row = 2 * spacing / (2 * std::tan(degrees * 3.14159265358979323846 / 360));
+  EXPECT_GT(farthest, row - 1.5 * spacing);
+  EXPECT_LT(farthest, row + 1.5 * spacing);
 }
 
 TEST(MirroredSamples, AreNoneOnShortLinesAndNarrowFaces)
