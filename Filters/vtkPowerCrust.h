@@ -14,7 +14,8 @@
  * outside.
  *
  * Point data
- *  - `SampleId` (vtkIdType): the sample that the point is, or -1.
+ *  - `SampleId` (vtkIdType): the sample that the point is, or -1. Each sample is one point at most. No two
+ *    points are at the same place, so the surface stays closed in a file that knows points by their places.
  *
  * Cell data
  *  - `InnerBall` (vtkIdType): the ball behind the triangle, a point of input 0.

@@ -11,6 +11,7 @@
 #include "Crust/ClearanceFilling.h"
 #include "Crust/PowerDiagram.h"
 #include "Crust/PuttingBack.h"
+#include "Crust/Slivers.h"
 
 #include <algorithm>
 #include <numeric>
@@ -160,6 +161,7 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   execution.report(0.8);
   Crust crust;
   static_cast<CrustSurface&>(crust) = crustSurface(diagram, execution);
+  removeSlivers(crust, spacing, execution);
   static_cast<SolidMeasures&>(crust) = solidMeasures(crust.points, crust.triangles, execution);
   crust.warnings = topologyWarnings(crust, options.topology, back.place);
   crust.putBackBalls = back.balls;

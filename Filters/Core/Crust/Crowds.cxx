@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Crust/Crowds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+/// A name of a cell of the grid. Two cells may have the same one; their points are a crowd for nothing.
+std::uint64_t nameOfCell(double x, double y, double z)
+{
+  const auto part = [](double value) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
+  };
+  return ((part(x) * 0x9e3779b97f4a7c15U ^ part(y)) * 0xbf58476d1ce4e5b9U) ^ part(z);
+}
+}
+
+IndexLists crowds(const std::vector<Point>& points, const std::vector<char>& used, double distance)
+{
+  // So few points are within the distance of a border, and few that are apart share a cell.
+  constexpr double width = 16;
+  // Borders where a regular grid of samples has no points.
+  constexpr double offset = 0.3819660112501051;
+  std::vector<std::pair<std::uint64_t, Index>>
+    members; // each point in all cells that it is near to
+  for (Index p = 0; p < count(points); ++p)
+  {
+    if (!used[p])
+    {
+      continue;
+    }
+    const Point place = (points[p] / (width * distance)).array() + offset;
+    const Point low = (place.array() - 1 / width).floor();
+    const Point high = (place.array() + 1 / width).floor();
+    for (double x = low.x(); x <= high.x(); ++x)
+    {
+      for (double y = low.y(); y <= high.y(); ++y)
+      {
+        for (double z = low.z(); z <= high.z(); ++z)
+        {
+          members.push_back({ nameOfCell(x, y, z), p });
+        }
+      }
+    }
+  }
+  std::sort(members.begin(), members.end());
+  IndexLists result;
+  for (std::size_t first = 0, last = 0; first < members.size(); first = last)
+  {
+    while (last < members.size() && members[last].first == members[first].first)
+    {
+      ++last;
+    }
+    for (std::size_t k = first; k < last && last - first > 1; ++k)
+    {
+      result.items.push_back(members[k].second);
+    }
+    if (last - first > 1)
+    {
+      result.close();
+    }
+  }
+  return result;
+}
+}
