@@ -22,6 +22,8 @@ PICTURE = FILTERS / "stages.svg"
 Stage = collections.namedtuple("Stage", "does filter gives arrays")
 
 FLOW = {
+    "Images": Stage("cleans the voxels of a solid; VTK meshes them", "vtkImageBoundary", "mesh",
+                    ["BettiSegmentation", "FilledCavities"]),
     "Samples": Stage("samples the surface of a solid", "vtkBoundarySamples", "samples",
                      ["Normals", "Spacing", "SourceCell"]),
     "Balls": Stage("finds the balls inside and outside", "vtkPolarBalls", "balls",
@@ -36,7 +38,7 @@ FLOW = {
                    ["PartId", "InnerBall", "OuterBall"]),
 }
 FOUNDATION = "Base"  # holds what all stages share, and takes no part in the flow
-FIRST_DATA, LAST_DATA = "mesh", "surface"
+FIRST_DATA, LAST_DATA = "image", "surface"
 SECOND_INPUT = "balls"  # of the last stage
 
 WIDTH, LEFT, BOX, LINE = 810, 20, 710, 18

@@ -11,6 +11,20 @@ namespace names
 // vtkShareOutObjects: field data, a single value
 constexpr const char* ObjectId = "ObjectId";
 
+// vtkImageBoundary: points of the mask
+constexpr const char* Mask = "Mask";
+// ... field data, passed on to all later filters; one of the first two
+constexpr const char* IsoValue = "IsoValue";
+constexpr const char* Label = "Label";
+constexpr const char* BettiSegmentation = "BettiSegmentation";
+constexpr const char* BettiBoundary = "BettiBoundary";
+constexpr const char* PaddedVoxels = "PaddedVoxels";
+constexpr const char* FilledCavities = "FilledCavities";
+constexpr const char* FilledVoxels = "FilledVoxels";
+constexpr const char* DroppedPieces = "DroppedPieces";
+constexpr const char* DroppedVoxels = "DroppedVoxels";
+constexpr const char* CutVoxels = "CutVoxels";
+
 // vtkBoundarySamples: points of the samples
 constexpr const char* Normals = "Normals";
 constexpr const char* Spacing = "Spacing";

@@ -208,7 +208,7 @@ void write(const PolarBallsAndSamples& made, vtkPointSet* input, vtkUnstructured
   passInputOfSamples(input, samples->GetFieldData());
 }
 
-void passInput(vtkPointSet* input, vtkFieldData* output)
+void passInput(vtkDataObject* input, vtkFieldData* output)
 {
   output->PassData(input->GetFieldData());
   output->RemoveArray(names::Verdict);

@@ -7,6 +7,7 @@
 
 #include <vector>
 
+class vtkDataObject;
 class vtkFieldData;
 class vtkPointSet;
 class vtkPolyData;
@@ -33,7 +34,7 @@ void write(const PolarBallsAndSamples& made, vtkPointSet* input, vtkUnstructured
 
 /// Passes the field data of an input on. It may be the surface of an earlier run: the verdict on that stays
 /// behind.
-void passInput(vtkPointSet* input, vtkFieldData* output);
+void passInput(vtkDataObject* input, vtkFieldData* output);
 
 /// @throw InvalidInput  an array is missing or does not fit
 PolarBalls readPolarBalls(vtkUnstructuredGrid* input);

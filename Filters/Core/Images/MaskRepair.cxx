@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Images/MaskRepair.h"
+
+#include "Base/Errors.h"
+#include "Images/MaskPieces.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace medial
+{
+namespace
+{
+/// Turns the voxels of the marked pieces over.
+void turn(VoxelMask& mask, const MaskPieces& pieces, const std::vector<char>& marked)
+{
+  for (Index row = 0; row < pieces.rows.size(); ++row)
+  {
+    unsigned char* voxels = mask.inside.data() + static_cast<std::size_t>(row) * mask.size[0];
+    for (const VoxelRun& run : pieces.rows[row])
+    {
+      if (marked[run.piece])
+      {
+        std::fill(voxels + run.begin, voxels + run.end, run.inside ? 0 : 1);
+      }
+    }
+  }
+}
+
+void fillCavities(VoxelMask& mask, Index largest, MaskRepairs& repairs, const Execution& execution)
+{
+  const MaskPieces pieces = maskPieces(mask, execution);
+  std::vector<char> marked(pieces.inside.size(), 0);
+  for (Index piece = MaskPieces::Outside + 1; piece < count(pieces.inside); ++piece)
+  {
+    if (!pieces.inside[piece] && pieces.voxels[piece] <= largest)
+    {
+      marked[piece] = 1;
+      ++repairs.filledCavities;
+      repairs.filledVoxels += pieces.voxels[piece];
+    }
+  }
+  turn(mask, pieces, marked);
+}
+
+Index largestPiece(const MaskPieces& pieces)
+{
+  Index result = None;
+  for (Index piece = 0; piece < count(pieces.inside); ++piece)
+  {
+    if (pieces.inside[piece] && (result == None || pieces.voxels[piece] > pieces.voxels[result]))
+    {
+      result = piece;
+    }
+  }
+  return result;
+}
+
+void dropPieces(
+  VoxelMask& mask, const MaskOptions& options, MaskRepairs& repairs, const Execution& execution)
+{
+  const MaskPieces pieces = maskPieces(mask, execution);
+  const Index largest = largestPiece(pieces);
+  if (largest != None && !options.largestOnly && pieces.voxels[largest] < options.smallestKept)
+  {
+    throw InvalidInput("no piece of the solid has ", options.smallestKept,
+      " voxels, the largest has ", pieces.voxels[largest],
+      ": keep smaller pieces, or choose another value");
+  }
+  std::vector<char> marked(pieces.inside.size(), 0);
+  for (Index piece = 0; piece < count(pieces.inside); ++piece)
+  {
+    const bool isKept =
+      options.largestOnly ? piece == largest : pieces.voxels[piece] >= options.smallestKept;
+    if (pieces.inside[piece] && !isKept)
+    {
+      marked[piece] = 1;
+      ++repairs.droppedPieces;
+      repairs.droppedVoxels += pieces.voxels[piece];
+    }
+  }
+  turn(mask, pieces, marked);
+}
+}
+
+MaskRepairs repairMask(VoxelMask& mask, const MaskOptions& options, const Execution& execution)
+{
+  MaskRepairs repairs;
+  fillCavities(mask, options.largestFilled, repairs, execution);
+  dropPieces(mask, options, repairs, execution);
+  return repairs;
+}
+
+VoxelMask padded(const VoxelMask& mask, Index margin)
+{
+  VoxelMask result{ mask.size, {} };
+  for (Index& size : result.size)
+  {
+    size += 2 * margin;
+  }
+  const std::size_t rows = static_cast<std::size_t>(result.size[1]) * result.size[2];
+  if (rows > std::numeric_limits<Index>::max() / static_cast<std::size_t>(result.size[0]))
+  {
+    throw InvalidInput("the image has ", result.size[0], " x ", result.size[1], " x ",
+      result.size[2], " voxels with its margin: crop it, or take a coarser one");
+  }
+  result.inside.resize(rows * result.size[0], 0);
+  for (Index k = 0; k < mask.size[2]; ++k)
+  {
+    for (Index j = 0; j < mask.size[1]; ++j)
+    {
+      const unsigned char* from = mask.inside.data() + mask.row(j, k);
+      std::copy(from, from + mask.size[0],
+        result.inside.data() + result.row(j + margin, k + margin) + margin);
+    }
+  }
+  return result;
+}
+
+std::array<Index, 6> borderVoxels(const VoxelMask& mask)
+{
+  std::array<Index, 6> result{};
+  const auto add = [&](int axis, Index at, Index i, Index j, Index k) {
+    result[2 * axis] += at == 0 && mask(i, j, k) ? 1 : 0;
+    result[2 * axis + 1] += at + 1 == mask.size[axis] && mask(i, j, k) ? 1 : 0;
+  };
+  for (Index k = 0; k < mask.size[2]; ++k)
+  {
+    for (Index j = 0; j < mask.size[1]; ++j)
+    {
+      const bool isBorder = k == 0 || k + 1 == mask.size[2] || j == 0 || j + 1 == mask.size[1];
+      const Index step = isBorder ? 1 : std::max(mask.size[0] - 1, Index(1));
+      for (Index i = 0; i < mask.size[0]; i += step)
+      {
+        add(0, i, i, j, k);
+        add(1, j, i, j, k);
+        add(2, k, i, j, k);
+      }
+    }
+  }
+  return result;
+}
+}

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Imaging/MaskSurface.h"
+
+#include "Pipeline/RunStage.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkFloatArray.h"
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageData.h"
+#include "vtkImageGaussianSmooth.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkWindowedSincPolyDataFilter.h"
+
+#include <cmath>
+
+// VTK 9.1's filters don't all heed an image's direction, so everything is done in voxels.
+
+namespace medial
+{
+namespace
+{
+constexpr double RadiusFactor = 3; // the Gaussian is below a hundredth of its peak there
+
+vtkSmartPointer<vtkImageData> imageOf(const VoxelMask& mask)
+{
+  vtkNew<vtkFloatArray> values;
+  values->SetNumberOfValues(static_cast<vtkIdType>(mask.inside.size()));
+  for (std::size_t i = 0; i < mask.inside.size(); ++i)
+  {
+    values->SetValue(static_cast<vtkIdType>(i), mask.inside[i]);
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(mask.size[0], mask.size[1], mask.size[2]);
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+void smoothMask(
+  vtkAlgorithm* filter, vtkImageData* image, double radius, const Execution& execution)
+{
+  vtkNew<vtkImageGaussianSmooth> smooth;
+  smooth->SetInputData(image);
+  smooth->SetStandardDeviation(radius);
+  smooth->SetRadiusFactor(RadiusFactor);
+  runStages(filter, { { smooth, 1 } }, execution);
+  image->ShallowCopy(smooth->GetOutput());
+}
+
+/// Moves values away from 1/2, the surface's, so that no point of it falls onto a voxel's centre, where
+/// several would be the same place. A thousandth of a voxel is far above the rounding of floats and far
+/// below what can be seen.
+void avoidCentres(vtkImageData* image)
+{
+  constexpr float half = 0.5F, margin = 0.001F;
+  auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+  for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
+  {
+    const float value = values->GetValue(i);
+    if (std::abs(value - half) < margin)
+    {
+      values->SetValue(i, value < half ? half - margin : half + margin);
+    }
+  }
+}
+
+MaskSurface read(vtkPolyData* surface)
+{
+  MaskSurface result;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    result.points.emplace_back(surface->GetPoint(i));
+  }
+  const auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cells->GetCurrentCell(size, corners);
+    result.triangles.push_back({ static_cast<Index>(corners[0]), static_cast<Index>(corners[1]),
+      static_cast<Index>(corners[2]) });
+  }
+  return result;
+}
+}
+
+Index reach(const SurfaceSmoothing& smoothing)
+{
+  return static_cast<Index>(RadiusFactor * smoothing.gaussianRadius);
+}
+
+MaskSurface maskSurface(vtkAlgorithm* filter, const VoxelMask& mask,
+  const SurfaceSmoothing& smoothing, const Execution& execution)
+{
+  const vtkSmartPointer<vtkImageData> image = imageOf(mask);
+  if (smoothing.gaussianRadius > 0)
+  {
+    smoothMask(filter, image, smoothing.gaussianRadius, execution.between(0, 0.4));
+    avoidCentres(image);
+  }
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(image);
+  contour->SetValue(0, 0.5);
+  contour->ComputeNormalsOff();
+  contour->ComputeScalarsOff();
+  vtkNew<vtkWindowedSincPolyDataFilter> smooth;
+  smooth->SetInputConnection(contour->GetOutputPort());
+  smooth->SetNumberOfIterations(smoothing.iterations);
+  smooth->SetPassBand(smoothing.passBand);
+  smooth->NormalizeCoordinatesOn();
+  smooth->FeatureEdgeSmoothingOff();
+  smooth->BoundarySmoothingOff();
+  if (smoothing.iterations > 0)
+  {
+    runStages(filter, { { contour, 0.5 }, { smooth, 0.5 } }, execution.between(0.4, 1));
+  }
+  else
+  {
+    runStages(filter, { { contour, 1 } }, execution.between(0.4, 1));
+  }
+  execution.poll();
+  return read(smoothing.iterations > 0 ? smooth->GetOutput() : contour->GetOutput());
+}
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef MaskSurface_h
+#define MaskSurface_h
+
+#include "Base/Execution.h"
+#include "Base/Types.h"
+#include "Images/VoxelMask.h"
+
+#include <vector>
+
+class vtkAlgorithm;
+
+namespace medial
+{
+struct SurfaceSmoothing
+{
+  double gaussianRadius; ///< of the mask, in voxels; 0: none
+  int iterations;        ///< of vtkWindowedSincPolyDataFilter; 0: none
+  double passBand;       ///< 0 ... 2
+};
+
+/// How many voxels the smoothing of the mask reaches; with one more outside the solid on all sides, its
+/// surface is closed.
+Index reach(const SurfaceSmoothing& smoothing);
+
+struct MaskSurface
+{
+  std::vector<Point> points;       ///< in voxels, from the centre of the first one
+  std::vector<Triangle> triangles; ///< counter-clockwise seen from outside
+};
+
+/// The smoothed surface of a mask, by VTK's filters.
+/// @param filter  the one that they work in
+/// @throw Aborted
+MaskSurface maskSurface(vtkAlgorithm* filter, const VoxelMask& mask,
+  const SurfaceSmoothing& smoothing, const Execution& execution = {});
+}
+
+#endif
