@@ -5,6 +5,7 @@
 #include "Lines.h"
 #include "Messages.h"
 #include "Options.h"
+#include "ReadImage.h"
 
 #include <vtkMedialPrune.h>
 #include <vtkNew.h>
@@ -106,6 +107,26 @@ void checkSchedule(const std::string& words)
   }
 }
 
+double parseValue(const char* option, const std::string& word)
+{
+  double value = 0;
+  if (!parseReal(word, value) || !std::isfinite(value))
+  {
+    throw UsageError(std::string(option) + " takes a number, not '" + word + "'");
+  }
+  return value;
+}
+
+int parseVoxels(const char* option, const std::string& word)
+{
+  int voxels = 0;
+  if (!parseCount(word, voxels))
+  {
+    throw UsageError(std::string(option) + " takes a number of voxels, not '" + word + "'");
+  }
+  return voxels;
+}
+
 auto turnsOn(bool& property)
 {
   return [&property](const std::string&) { property = true; };
@@ -145,6 +166,34 @@ std::vector<Option> inputOptions(Arguments& arguments)
       [&](const std::string& value) {
         arguments.wrap = true;
         arguments.wrapWidth = parseLength("--wrap-width", value);
+      } },
+  };
+}
+
+/// How the solid in an image is found.
+std::vector<Option> imageOptions(Arguments& arguments)
+{
+  return {
+    { "--iso", "X", "of an image: the solid are the voxels of at least the value X",
+      [&](const std::string& value) { arguments.iso = parseValue("--iso", value); } },
+    { "--label", "N",
+      "of an image: the solid are the voxels of the value N (default: the one of two values\n"
+      "that isn't 0)",
+      [&](const std::string& value) { arguments.label = parseValue("--label", value); } },
+    { "--fill-cavities", "N", "fills cavities of at most N voxels (default: 50)",
+      [&](const std::string& value) {
+        arguments.fillCavities = parseVoxels("--fill-cavities", value);
+      } },
+    { "--no-fill", "", "fills none", [&](const std::string&) { arguments.fillCavities = 0; } },
+    { "--pieces", "WHICH",
+      "largest   keeps the largest connected piece of the voxels alone\n"
+      "N         keeps those of at least N voxels (default: 50)",
+      [&](const std::string& value) {
+        arguments.largestPiece = value == "largest";
+        if (!arguments.largestPiece)
+        {
+          arguments.smallestPiece = parseVoxels("--pieces", value);
+        }
       } },
   };
 }
@@ -193,7 +242,8 @@ std::vector<Option> runOptions(Arguments& arguments)
 std::vector<Option> optionsOf(Arguments& arguments)
 {
   std::vector<Option> result = pruningOptions(arguments);
-  for (const auto& more : { inputOptions(arguments), runOptions(arguments) })
+  for (const auto& more :
+    { inputOptions(arguments), imageOptions(arguments), runOptions(arguments) })
   {
     result.insert(result.end(), more.begin(), more.end());
   }
@@ -229,6 +279,18 @@ void complete(Arguments& arguments)
   {
     throw UsageError("--automatic chooses the schedule; leave out --schedule, or --automatic");
   }
+  if (arguments.iso && arguments.label)
+  {
+    throw UsageError("--iso or --label tells the solid of an image, not both");
+  }
+  const bool isForImages = arguments.iso || arguments.label || arguments.fillCavities ||
+    arguments.smallestPiece || arguments.largestPiece;
+  if (isForImages && !isImageName(arguments.input))
+  {
+    throw UsageError(
+      "--iso, --label, --fill-cavities, --no-fill and --pieces are for images: .vti .mha "
+      ".mhd .nrrd .nii .nii.gz");
+  }
   checkSchedule(arguments.schedule);
 }
 }
@@ -250,7 +312,8 @@ std::string usage()
   SimplifyShape INPUT [options]
 
 INPUT is a .ply .stl .obj .vtp .vtu .off or .xyz file. Polygons that bound a solid are sampled; of
-other files the points are taken as samples of the solid's closed boundary.
+other files the points are taken as samples of the solid's closed boundary. Or it is an image, .vti
+.mha .mhd .nrrd .nii or .nii.gz, which the solid in it is cut out of.
 
 )" + helpOf(optionsOf(defaults)) +
     R"(

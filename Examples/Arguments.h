@@ -2,6 +2,7 @@
 #ifndef Arguments_h
 #define Arguments_h
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,12 @@ struct Arguments
   double spacing = 0;         ///< largest one of them; 0: chosen
   bool wrap = false;          ///< sample the surface around polygons that bound no solid
   double wrapWidth = 0;       ///< of the gaps that it crosses; 0: chosen
-  int threads = 0;            ///< 0: as many as the machine has
+  std::optional<double> iso;  ///< of an image: its solid are the voxels of at least this value
+  std::optional<double> label;      ///< or those of this one
+  std::optional<int> fillCavities;  ///< largest one that is filled, in voxels
+  std::optional<int> smallestPiece; ///< that is kept, in voxels
+  bool largestPiece = false;        ///< keep that alone
+  int threads = 0;                  ///< 0: as many as the machine has
   bool picture = false;
   bool strict = false;
   bool quiet = false;

@@ -2,6 +2,7 @@
 #include "ReadPoints.h"
 
 #include "Errors.h"
+#include "ReadImage.h"
 #include "ReadObj.h"
 #include "ReadPly.h"
 #include "ReadStl.h"
@@ -39,7 +40,7 @@ void checkReadable(const std::string& file)
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
   {
-    throw InputError(file + ": is a folder, not a file of points");
+    throw InputError(file + ": is a folder, not a file; convert DICOM to .nii.gz (dcm2niix)");
   }
   if (!std::ifstream(file))
   {
@@ -67,7 +68,8 @@ vtkSmartPointer<vtkPolyData> read(const std::string& file, const std::string& ex
     }
   }
   throw InputError(file + ": can't read '" + extension +
-    "' files; convert it to .ply .stl .obj .vtp .vtu .off or .xyz");
+    "' files; convert it to .ply .stl .obj .vtp .vtu .off or .xyz, an image to .vti .mha .nrrd or "
+    ".nii.gz");
 }
 
 bool isFinite(vtkPoints* points, vtkIdType i)
@@ -100,6 +102,10 @@ vtkSmartPointer<vtkPolyData> finitePoints(vtkPolyData* data)
 Input readInput(const std::string& file, bool dropInvalid)
 {
   checkReadable(file);
+  if (isImageName(file))
+  {
+    return { nullptr, readImage(file), 0 };
+  }
   const auto data = read(file, lowerCaseExtension(file));
   if (!data || !data->GetPoints() || data->GetNumberOfPoints() == 0)
   {
@@ -122,5 +128,5 @@ Input readInput(const std::string& file, bool dropInvalid)
       " points have a coordinate that is NaN or infinite, the first is point " +
       std::to_string(first) + " (counted from 0); --drop-invalid leaves them out");
   }
-  return { invalid > 0 ? finitePoints(data) : data, invalid };
+  return { invalid > 0 ? finitePoints(data) : data, nullptr, invalid };
 }

@@ -2,6 +2,7 @@
 #ifndef ReadPoints_h
 #define ReadPoints_h
 
+#include <vtkImageData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
@@ -11,10 +12,12 @@ struct Input
 {
   /// Points, and the polygons between them where no point was left out.
   vtkSmartPointer<vtkPolyData> samples;
-  vtkIdType invalid = 0; ///< points left out, because a coordinate is NaN or infinite
+  vtkSmartPointer<vtkImageData> image; ///< instead of samples, where the file has voxels
+  vtkIdType invalid = 0;               ///< points left out, because a coordinate is NaN or infinite
 };
 
-/// The points of a .ply .stl .obj .vtp .vtu .off or .xyz file, and its polygons. These name existing points.
+/// The points of a .ply .stl .obj .vtp .vtu .off or .xyz file, and its polygons. These name existing points. Or
+/// the voxels of an image, see ReadImage.h.
 ///
 /// @param dropInvalid  leave points with a coordinate that is NaN or infinite out
 /// @throw InputError  the file can't be read, or has such points that must not be left out; says why

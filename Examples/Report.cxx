@@ -2,6 +2,7 @@
 #include "Report.h"
 
 #include "Arguments.h"
+#include "Json.h"
 #include "Progress.h"
 #include "ReadPoints.h"
 #include "Tables.h"
@@ -9,6 +10,7 @@
 
 #include <vtkBoundarySamples.h>
 #include <vtkFieldData.h>
+#include <vtkImageBoundary.h>
 #include <vtkMedialAxis.h>
 #include <vtkMedialPartDecomposition.h>
 #include <vtkMedialPrune.h>
@@ -31,74 +33,6 @@
 
 namespace
 {
-using Members = std::vector<std::pair<const char*, std::string>>;
-
-std::string number(double value)
-{
-  if (!std::isfinite(value))
-  {
-    return "null";
-  }
-  std::ostringstream out;
-  out << std::setprecision(std::numeric_limits<double>::max_digits10) << value;
-  return out.str();
-}
-
-std::string seconds(double value)
-{
-  std::ostringstream out;
-  out << std::fixed << std::setprecision(3) << value;
-  return out.str();
-}
-
-std::string truth(bool value)
-{
-  return value ? "true" : "false";
-}
-
-std::string joined(const std::vector<std::string>& items, const char* separator)
-{
-  std::string text;
-  for (const std::string& item : items)
-  {
-    text += (text.empty() ? "" : separator) + item;
-  }
-  return text;
-}
-
-/// A JSON array with a line for each row.
-std::string rowsOf(const std::vector<std::string>& rows)
-{
-  return rows.empty() ? "[]" : "[\n    " + joined(rows, ",\n    ") + "\n  ]";
-}
-
-/// A JSON string. The texts of the filters have no control characters.
-std::string quoted(const std::string& text)
-{
-  std::string result;
-  for (const char c : text)
-  {
-    result += c == '"' || c == '\\' ? std::string{ '\\', c } : std::string{ c };
-  }
-  return '"' + result + '"';
-}
-
-/// A JSON object; `separator` stands between its members.
-std::string object(const Members& members, const char* separator = ", ")
-{
-  std::vector<std::string> items;
-  for (const auto& [key, value] : members)
-  {
-    items.push_back('"' + std::string(key) + "\": " + value);
-  }
-  return joined(items, separator);
-}
-
-std::string inBraces(const Members& members)
-{
-  return "{ " + object(members) + " }";
-}
-
 std::vector<std::string> bettiNumbers(vtkDataObject* output, const char* array)
 {
   return { number(fieldValue(output, array, 0)), number(fieldValue(output, array, 1)),
@@ -195,6 +129,47 @@ bool isSampled(vtkSimplifyShape* simplify)
   return simplify->GetPolarBalls()->GetOutput()->GetFieldData()->HasArray("BettiSolid");
 }
 
+/// The polygons of the input, or of the surface of the solid in an image.
+double polygonCount(vtkSimplifyShape* simplify, const Input& input)
+{
+  return double(input.image ? simplify->GetImageBoundary()->GetOutput()->GetNumberOfPolys()
+                            : input.samples->GetNumberOfPolys());
+}
+
+std::string source(vtkSimplifyShape* simplify, const Input& input)
+{
+  return input.image ? "\"image\"" : isSampled(simplify) ? "\"triangles\"" : "\"points\"";
+}
+
+/// What was done with the voxels of an image.
+std::string image(vtkSimplifyShape* simplify, const Input& input)
+{
+  if (!input.image)
+  {
+    return "null";
+  }
+  vtkDataObject* surface = simplify->GetImageBoundary()->GetOutput();
+  const auto value = [surface](const char* name) {
+    return surface->GetFieldData()->HasArray(name) ? number(fieldValue(surface, name)) : "null";
+  };
+  std::vector<std::string> cut;
+  for (int side = 0; side < 6; ++side)
+  {
+    cut.push_back(number(fieldValue(surface, "CutVoxels", side)));
+  }
+  return inBraces({
+    { "isoValue", value("IsoValue") },
+    { "label", value("Label") },
+    { "filledCavities", value("FilledCavities") },
+    { "filledVoxels", value("FilledVoxels") },
+    { "droppedPieces", value("DroppedPieces") },
+    { "droppedVoxels", value("DroppedVoxels") },
+    { "paddedVoxels", value("PaddedVoxels") },
+    { "cutVoxels", "[" + joined(cut, ", ") + "]" },
+    { "boundary", bettiList(surface, "BettiBoundary") },
+  });
+}
+
 /// How the triangles were sampled.
 std::string sampling(vtkSimplifyShape* simplify, const Input& input)
 {
@@ -204,7 +179,7 @@ std::string sampling(vtkSimplifyShape* simplify, const Input& input)
   }
   vtkDataObject* samples = simplify->GetPolarBalls()->GetOutput();
   return inBraces({
-    { "polygons", number(double(input.samples->GetNumberOfPolys())) },
+    { "polygons", number(polygonCount(simplify, input)) },
     { "volume", number(fieldValue(samples, "SolidVolume")) },
     { "area", number(fieldValue(samples, "SolidArea")) },
     { "mergedPoints", number(fieldValue(samples, "MergedPoints")) },
@@ -214,9 +189,12 @@ std::string sampling(vtkSimplifyShape* simplify, const Input& input)
   });
 }
 
-std::string betti(vtkSimplifyShape* simplify)
+std::string betti(vtkSimplifyShape* simplify, const Input& input)
 {
   return inBraces({
+    { "segmentation",
+      input.image ? bettiList(simplify->GetImageBoundary()->GetOutput(), "BettiSegmentation")
+                  : "null" },
     { "solid",
       isSampled(simplify) ? bettiList(simplify->GetPolarBalls()->GetOutput(), "BettiSolid")
                           : "null" },
@@ -232,6 +210,7 @@ std::string times(vtkSimplifyShape* simplify, const Progress& progress, double t
   const double crusts = progress.seconds(simplify->GetUnprunedPowerCrust()) +
     progress.seconds(simplify->GetPowerCrust());
   return inBraces({
+    { "image", seconds(progress.seconds(simplify->GetImageBoundary())) },
     { "samples", seconds(progress.seconds(simplify->GetBoundarySamples())) },
     { "polarBalls", seconds(progress.seconds(simplify->GetPolarBalls())) },
     { "medialAxis", seconds(progress.seconds(simplify->GetMedialAxis())) },
@@ -331,14 +310,15 @@ std::string report(
   return "{\n  " +
     object(
       {
-        { "source", isSampled(simplify) ? "\"triangles\"" : "\"points\"" },
+        { "source", source(simplify, input) },
+        { "image", image(simplify, input) },
         { "samples", number(fieldValue(samples, "NumberOfSamples")) },
         { "sampling", sampling(simplify, input) },
         { "duplicates", number(fieldValue(samples, "NumberOfDuplicates")) },
         { "mergeTolerance", number(fieldValue(samples, "MergeTolerance")) },
         { "invalid", number(double(input.invalid)) },
         { "balls", balls(simplify) },
-        { "betti", betti(simplify) },
+        { "betti", betti(simplify, input) },
         { "certificate",
           truth(fieldValue(simplify->GetMedialAxis()->GetOutput(), "Certificate") != 0) },
         { "verdict", verdict(simplify) },
@@ -368,9 +348,7 @@ std::string summary(
   vtkDataObject* samples = simplify->GetPolarBalls()->GetOutput();
   std::ostringstream out;
   out << arguments.input << ": " << grouped(fieldValue(samples, "NumberOfSamples")) << " samples"
-      << (isSampled(simplify)
-             ? " on " + grouped(double(input.samples->GetNumberOfPolys())) + " polygons"
-             : "")
+      << (isSampled(simplify) ? " on " + grouped(polygonCount(simplify, input)) + " polygons" : "")
       << (input.invalid > 0 ? ", " + grouped(double(input.invalid)) + " invalid ones dropped" : "")
       << "\n"
       << "  balls     " << grouped(fieldValue(samples, "NumberOfInnerBalls")) << " inner, "

@@ -10,6 +10,7 @@
 #include "OutputFolder.h"
 #include "Pictures.h"
 #include "Progress.h"
+#include "ReadImage.h"
 #include "ReadPoints.h"
 #include "Report.h"
 #include "ResultNames.h"
@@ -21,6 +22,7 @@
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
+#include <vtkImageBoundary.h>
 #include <vtkMedialAxis.h>
 #include <vtkMedialPartDecomposition.h>
 #include <vtkMedialPrune.h>
@@ -45,6 +47,21 @@
 
 namespace
 {
+void setImageProperties(vtkImageBoundary* boundary, const Arguments& arguments)
+{
+  if (arguments.iso || arguments.label)
+  {
+    boundary->SetSolid(arguments.iso ? vtkImageBoundary::ISO_VALUE : vtkImageBoundary::LABEL);
+    boundary->SetIsoValue(arguments.iso.value_or(0));
+    boundary->SetLabel(arguments.label.value_or(0));
+  }
+  boundary->SetFillCavities(arguments.fillCavities.value_or(boundary->GetFillCavities()));
+  boundary->SetMinimumPieceVoxels(
+    arguments.smallestPiece.value_or(boundary->GetMinimumPieceVoxels()));
+  boundary->SetPieces(
+    arguments.largestPiece ? vtkImageBoundary::LARGEST : vtkImageBoundary::FROM_SIZE);
+}
+
 void setProperties(vtkSimplifyShape* simplify, const Arguments& arguments)
 {
   simplify->MakeUnprunedOn(); // for parts.vtp and parts.csv; --remove-parts names parts by them
@@ -52,6 +69,7 @@ void setProperties(vtkSimplifyShape* simplify, const Arguments& arguments)
   simplify->SetAutomatic(arguments.automatic);
   simplify->SetMergeTolerance(arguments.mergeTolerance);
   simplify->SetUseTriangles(arguments.points ? vtkSimplifyShape::OFF : vtkSimplifyShape::AUTO);
+  setImageProperties(simplify->GetImageBoundary(), arguments);
   vtkBoundarySamples* boundary = simplify->GetBoundarySamples();
   boundary->SetFineness(arguments.fineness > 0 ? arguments.fineness : boundary->GetFineness());
   boundary->SetSpacing(arguments.spacing);
@@ -71,6 +89,7 @@ void setProperties(vtkSimplifyShape* simplify, const Arguments& arguments)
 
 void watchStages(vtkSimplifyShape* simplify, Progress& progress)
 {
+  progress.watch("image", simplify->GetImageBoundary());
   progress.watch("samples", simplify->GetBoundarySamples());
   progress.watch("polar balls", simplify->GetPolarBalls());
   progress.watch("medial axis", simplify->GetMedialAxis());
@@ -111,8 +130,11 @@ void run(vtkSimplifyShape* simplify, const Arguments& arguments)
     *simplify->GetErrorMessage() ? simplify->GetErrorMessage() : messages::error();
   if (!reason.empty() || simplify->GetErrorCode() != vtkErrorCode::NoError)
   {
-    throw InputError(
-      arguments.input + ": " + (reason.empty() ? "failed without a reason" : reason));
+    const bool isUnclear = isImageName(arguments.input) && !arguments.iso && !arguments.label &&
+      reason.find("choose") != std::string::npos;
+    throw InputError(arguments.input + ": " +
+      (reason.empty() ? "failed without a reason" : reason) +
+      (isUnclear ? " (--label N or --iso X)" : ""));
   }
   messages::clear();
 }
@@ -191,7 +213,8 @@ ExitCode simplify(const Arguments& arguments)
   const Input input = readInput(arguments.input, arguments.dropInvalid);
   OutputFolder folder(arguments.output, arguments.input);
   vtkNew<vtkSimplifyShape> filter;
-  filter->SetInputData(input.samples);
+  filter->SetInputDataObject(
+    input.image ? static_cast<vtkDataObject*>(input.image) : input.samples);
   setProperties(filter, arguments);
   Progress progress(arguments.quiet);
   watchStages(filter, progress);

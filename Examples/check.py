@@ -16,13 +16,14 @@ import struct
 import subprocess
 import unittest
 
+from check_images import Images  # the same of images; run with the rest
 from check_inputs import Inputs  # what the program reads and refuses; run with the rest
 from check_meshes import Meshes  # what it makes of polygons; run with the rest
 from check_outputs import Outputs  # whole results or none; run with the rest
 from input_files import xml
 from program_test import PROGRAM, ProgramTest, ellipsoid, torus
 
-__all__ = ["Inputs", "Outputs", "SimplifyShape"]
+__all__ = ["Images", "Inputs", "Outputs", "SimplifyShape"]
 
 DATA = {"balls.vtu", "samples.vtp", "axis.vtp", "parts.vtp", "pruned.vtp", "surface.vtp", "surface.stl",
         "parts.csv", "history.csv", "report.json"}

@@ -8,15 +8,18 @@
 #include "Pipeline/RunStage.h"
 #include "Samples/ClosedSurface.h"
 #include "vtkBoundarySamples.h"
+#include "vtkImageBoundary.h"
 #include "vtkMedialAxis.h"
 #include "vtkMedialPartDecomposition.h"
 #include "vtkMedialPrune.h"
 #include "vtkPolarBalls.h"
 #include "vtkPowerCrust.h"
 
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnstructuredGrid.h"
@@ -30,6 +33,7 @@ medialAbortMacro(vtkSimplifyShape);
 vtkSimplifyShape::vtkSimplifyShape()
 {
   this->SetNumberOfOutputPorts(4);
+  this->Voxels->SetInputConnection(this->Image->GetOutputPort());
   this->Boundary->SetInputConnection(this->Mesh->GetOutputPort());
   this->Balls->SetInputConnection(this->Points->GetOutputPort());
   this->Axis->SetInputConnection(this->Balls->GetOutputPort());
@@ -150,6 +154,11 @@ void vtkSimplifyShape::SetMakeUnpruned(bool make)
   }
 }
 
+vtkImageBoundary* vtkSimplifyShape::GetImageBoundary()
+{
+  return this->Voxels;
+}
+
 vtkBoundarySamples* vtkSimplifyShape::GetBoundarySamples()
 {
   return this->Boundary;
@@ -198,15 +207,16 @@ const char* vtkSimplifyShape::GetErrorMessage()
 
 vtkMTimeType vtkSimplifyShape::GetMTime()
 {
-  return std::max(
-    { this->Superclass::GetMTime(), this->Boundary->GetMTime(), this->Balls->GetMTime(),
-      this->Axis->GetMTime(), this->Prune->GetMTime(), this->Parts->GetMTime(),
-      this->Crust->GetMTime(), this->UnprunedParts->GetMTime(), this->UnprunedCrust->GetMTime() });
+  return std::max({ this->Superclass::GetMTime(), this->Voxels->GetMTime(),
+    this->Boundary->GetMTime(), this->Balls->GetMTime(), this->Axis->GetMTime(),
+    this->Prune->GetMTime(), this->Parts->GetMTime(), this->Crust->GetMTime(),
+    this->UnprunedParts->GetMTime(), this->UnprunedCrust->GetMTime() });
 }
 
 int vtkSimplifyShape::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   return 1;
 }
 
@@ -219,15 +229,39 @@ int vtkSimplifyShape::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkSimplifyShape::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  if (vtkImageData::GetData(input) && input->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
   return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 
 /// A copy, which has no pipeline behind it.
-static vtkSmartPointer<vtkPointSet> copyOf(vtkPointSet* input)
+template <typename Data>
+static vtkSmartPointer<Data> copyOf(Data* input)
 {
-  const auto result = vtkSmartPointer<vtkPointSet>::Take(input->NewInstance());
+  const auto result = vtkSmartPointer<Data>::Take(input->NewInstance());
   result->ShallowCopy(input);
   return result;
+}
+
+/// The input, or the surface of the solid in an image. An image that has not changed keeps its surface.
+vtkPointSet* vtkSimplifyShape::MeshOf(vtkDataObject* input, const medial::Execution& execution)
+{
+  auto* image = vtkImageData::SafeDownCast(input);
+  if (!image)
+  {
+    return vtkPointSet::SafeDownCast(input);
+  }
+  if (image->GetMTime() != this->ImageTime)
+  {
+    this->Image->SetOutput(copyOf(image));
+    this->ImageTime = image->GetMTime();
+  }
+  medial::runStages(this, { { this->Voxels, 1 } }, execution);
+  return this->Voxels->GetOutput();
 }
 
 /// Only an input that has changed is sampled again. It goes to a producer of its own, since an input of
@@ -302,7 +336,7 @@ int vtkSimplifyShape::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   using Stages = std::vector<medial::Stage>;
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   const Stages stages = this->MakeUnpruned
     ? Stages{ { this->Balls, 0.3 }, { this->Axis, 0.3 }, { this->UnprunedParts, 0.05 },
         { this->Prune, 0.1 }, { this->Parts, 0.05 }, { this->UnprunedCrust, 0.1, false },
@@ -311,7 +345,8 @@ int vtkSimplifyShape::RequestData(
         { this->Parts, 0.05 }, { this->Crust, 0.15 } };
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
-      this->ReadSource(input, execution.between(0, 0.2));
+      vtkPointSet* mesh = this->MeshOf(input, execution.between(0, 0.02));
+      this->ReadSource(mesh, execution.between(0.02, 0.2));
       medial::runStages(this, stages, execution.between(0.2, 1));
       vtkDataObject::GetData(outputVector, 0)->ShallowCopy(this->Crust->GetOutput());
       vtkDataObject::GetData(outputVector, 1)->ShallowCopy(this->Parts->GetOutput());
@@ -329,6 +364,7 @@ void vtkSimplifyShape::PrintSelf(ostream& os, vtkIndent indent)
   };
   os << indent << "UseTriangles: " << this->UseTriangles << "\n";
   os << indent << "MakeUnpruned: " << (this->MakeUnpruned ? "on" : "off") << "\n";
+  print("ImageBoundary", this->Voxels);
   print("BoundarySamples", this->Boundary);
   print("PolarBalls", this->Balls);
   print("MedialAxis", this->Axis);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSimplifyShape
- * @brief   from a mesh, or points of a solid's boundary, to a simplified closed surface
+ * @brief   from an image, a mesh, or points of a solid's boundary, to a simplified closed surface
  *
- * The medial axis pipeline in one filter: vtkBoundarySamples, vtkPolarBalls, vtkMedialAxis, vtkMedialPrune,
+ * The medial axis pipeline in one filter: vtkImageBoundary, vtkBoundarySamples, vtkPolarBalls, vtkMedialAxis, vtkMedialPrune,
  * vtkMedialPartDecomposition and vtkPowerCrust, one after another. The methods below set the
  * properties that are needed most often. Set the others on the stages, which belong to the filter.
  *
- * Input: any vtkPointSet. If it has polygons that bound a solid, these are sampled by
+ * Input: vtkImageData, whose solid gets a surface by GetImageBoundary(); the properties of that filter tell
+ * which voxels it has, as `GetImageBoundary()->SetSolidToIsoValue()`. Or any vtkPointSet. If it has polygons that bound a solid, these are sampled by
  * vtkBoundarySamples, and everything is compared with that solid. Else its points are the samples, see
  * vtkPolarBalls. SetUseTriangles() chooses.
  *
@@ -45,6 +46,8 @@ namespace medial
 struct Execution;
 }
 class vtkBoundarySamples;
+class vtkImageBoundary;
+class vtkImageData;
 class vtkMedialAxis;
 class vtkMedialPartDecomposition;
 class vtkMedialPrune;
@@ -161,6 +164,7 @@ public:
    * The stages, in the order in which they run: to set their other properties and, after an update, to
    * read their outputs. Their inputs are connected already; update this filter, not the stages.
    */
+  vtkImageBoundary* GetImageBoundary();     ///< runs where the input is an image
   vtkBoundarySamples* GetBoundarySamples(); ///< runs where polygons are sampled
   vtkPolarBalls* GetPolarBalls();
   vtkMedialAxis* GetMedialAxis();
@@ -203,6 +207,7 @@ private:
   vtkSimplifyShape(const vtkSimplifyShape&) = delete;
   void operator=(const vtkSimplifyShape&) = delete;
 
+  vtkPointSet* MeshOf(vtkDataObject* input, const medial::Execution& execution);
   void SetInput(vtkPointSet* input);
   void TakePoints(vtkPointSet* input, const std::string& notSolid);
   void TakeSamples();
@@ -210,10 +215,13 @@ private:
 
   int UseTriangles = AUTO;
   vtkMTimeType InputTime = 0;
+  vtkMTimeType ImageTime = 0;
   bool MakeUnpruned = false;
   std::string NotSolid;              ///< why the polygons of the input were not sampled
-  vtkNew<vtkTrivialProducer> Mesh;   ///< the input
+  vtkNew<vtkTrivialProducer> Image;  ///< the input, if it is one
+  vtkNew<vtkTrivialProducer> Mesh;   ///< the input, or the surface in the image
   vtkNew<vtkTrivialProducer> Points; ///< the input with a warning, where its points are the samples
+  vtkNew<vtkImageBoundary> Voxels;
   vtkNew<vtkBoundarySamples> Boundary;
   vtkNew<vtkPolarBalls> Balls;
   vtkNew<vtkMedialAxis> Axis;

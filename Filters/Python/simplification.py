@@ -8,7 +8,8 @@ import warnings
 from typing import Any, Callable, Iterable, NamedTuple, Sequence
 
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPointSet, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonDataModel import (
+    vtkDataObject, vtkImageData, vtkPointSet, vtkPolyData, vtkTable)
 
 from .vtkFiltersMedial import vtkBackgroundUpdate, vtkSimplifyShape
 
@@ -61,13 +62,17 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
              progress: Callable[[float], Any] | None = None,
              merge_tolerance: float | None = None,
              use_triangles: bool | None = None,
-             wrap: bool | float = False) -> Simplified:
-    """Simplifies the solid that is given by a mesh, or by points of its boundary.
+             wrap: bool | float = False,
+             iso: float | None = None, label: float | None = None,
+             spacing: Sequence[float] = (1, 1, 1),
+             origin: Sequence[float] = (0, 0, 0)) -> Simplified:
+    """Simplifies the solid that is given by an image, by a mesh, or by points of its boundary.
 
     Other threads of Python go on meanwhile. Ctrl-C stops it within a second.
 
     points    an array of shape (n, 3), or a vtkPointSet; a mesh is one with polygons, whose surface is
-              sampled if it bounds a solid
+              sampled if it bounds a solid. An image is a vtkImageData, or an array with 3 dimensions:
+              voxels [i, j, k] along x, y and z
     schedule  in words, like "t5 t5 v1%", see vtkMedialPrune; or iterations (measure, threshold) or
               (measure, threshold, passes), where measure is a name like "RelativeVolume"; None: the
               default of vtkMedialPrune
@@ -80,13 +85,26 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
               are the samples; None: decided by the mesh, with a warning where it bounds none
     wrap      where the polygons bound no solid, sample the closed surface around them; True, or the width of
               the gaps and holes that it crosses, see Wrap of vtkBoundarySamples
+    iso       of an image: voxels of at least this value are the solid
+    label     of an image: voxels of this value are the solid; without iso and label it is the one of two
+              values that isn't 0
+    spacing, origin  of an array of voxels: their distances, and where the centre of the first one is
     Raises ValueError where the points or the schedule can't be used; the message says why.
     Issues a MedialAxisWarning for each doubt, and where the surface is not certified.
     """
     filter = vtkSimplifyShape()
     prune = filter.GetMedialPrune()
     quiet = prune.AddObserver("ErrorEvent", lambda *_: None)  # else VTK prints what is raised below
-    filter.SetInputData(points if isinstance(points, vtkPointSet) else _cloud(points))
+    filter.SetInputData(_input(points, spacing, origin))
+    if iso is not None and label is not None:
+        raise ValueError("give iso or label, not both")
+    if iso is not None or label is not None:
+        if not isinstance(filter.GetInputDataObject(0, 0), vtkImageData):
+            raise ValueError("iso and label are for images: a vtkImageData, or an array with 3 dimensions")
+        voxels = filter.GetImageBoundary()
+        voxels.SetSolid(voxels.LABEL if iso is None else voxels.ISO_VALUE)
+        voxels.SetLabel(label or 0)
+        voxels.SetIsoValue(iso or 0)
     if merge_tolerance is not None:
         filter.SetMergeTolerance(merge_tolerance)
     if use_triangles is not None:
@@ -182,6 +200,32 @@ def _update(filter: vtkSimplifyShape, progress: Callable[[float], Any] | None) -
         update.Stop()
         while update.IsRunning():
             time.sleep(0.001)
+
+
+def _input(given: Any, spacing: Sequence[float], origin: Sequence[float]) -> vtkDataObject:
+    import numpy
+
+    if isinstance(given, (vtkPointSet, vtkImageData)):
+        return given
+    values = numpy.asarray(given)
+    return _image(values, spacing, origin) if values.ndim == 3 else _cloud(values)
+
+
+def _image(values: Any, spacing: Sequence[float], origin: Sequence[float]) -> vtkImageData:
+    import numpy
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+
+    if values.dtype.kind not in "buif":
+        raise ValueError("voxels of type %s; give numbers" % values.dtype)
+    if values.dtype.kind == "b" or values.dtype == numpy.float16:
+        values = values.astype(numpy.float32)  # VTK has no such types
+    result = vtkImageData()
+    result.SetDimensions(values.shape)
+    result.SetSpacing(*spacing)
+    result.SetOrigin(*origin)
+    result.GetPointData().SetScalars(
+        numpy_to_vtk(numpy.ascontiguousarray(values.ravel(order="F")), deep=True))
+    return result
 
 
 def _cloud(points: Any) -> vtkPolyData:

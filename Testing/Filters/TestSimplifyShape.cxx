@@ -5,6 +5,8 @@
 #include "vtkSimplifyShape.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
@@ -14,6 +16,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <sstream>
+#include <string>
 #include <utility>
 
 namespace

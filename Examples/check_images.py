@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks which images SimplifyShape reads and what it says of the others; run by check.py."""
+
+import array
+import gzip
+import json
+import math
+import resource
+import struct
+import zlib
+
+from program_test import ProgramTest
+
+SIZE = (14, 12, 10)
+
+
+def voxels(value):
+    """value(x, y, z) with coordinates -1 ... 1 at the voxels, the first index fastest."""
+    at = [[2 * (i + 0.5) / n - 1 for i in range(n)] for n in SIZE]
+    return [value(x, y, z) for z in at[2] for y in at[1] for x in at[0]]
+
+
+def ball(x, y, z):
+    return 5 if x * x + y * y + z * z < 0.6 else 0
+
+
+def shorts(values):
+    return array.array("h", values).tobytes()
+
+
+def mha(values, size=SIZE, matrix="1 0 0 0 1 0 0 0 1", packed=False):
+    body = zlib.compress(shorts(values)) if packed else shorts(values)
+    return ("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+            "CompressedData = %s\n%sTransformMatrix = %s\nOffset = 100 0 -7\nElementSpacing = 1 1 1.5\n"
+            "DimSize = %d %d %d\nElementType = MET_SHORT\nElementDataFile = LOCAL\n"
+            % (packed, "CompressedDataSize = %d\n" % len(body) if packed else "", matrix, *size)
+            ).encode() + body
+
+
+def nrrd(values, axes="(1,0,0) (0,1,0) (0,0,1.5)"):
+    return ("NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: %d %d %d\n"
+            "space directions: %s\nkinds: domain domain domain\nendian: little\nencoding: raw\n"
+            "space origin: (100,0,-7)\n\n" % (*SIZE, axes)).encode() + shorts(values)
+
+
+def nii(values, rows=((1, 0, 0, 100), (0, 1, 0, 0), (0, 0, 1.5, -7)), slope=1.0, intercept=0.0):
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 3, *SIZE, 1, 1, 1, 1)
+    struct.pack_into("<2h", header, 70, 4, 16)  # signed short
+    spacing = [math.hypot(*(row[k] for row in rows)) for k in range(3)]
+    struct.pack_into("<8f", header, 76, 1, *spacing, 0, 0, 0, 0)
+    struct.pack_into("<3f", header, 108, 352, slope, intercept)
+    struct.pack_into("<2h", header, 252, 0, 1)
+    for row, numbers in enumerate(rows):
+        struct.pack_into("<4f", header, 280 + 16 * row, *numbers)
+    header[344:348] = b"n+1\0"
+    return bytes(header) + shorts(values)
+
+
+def vti(values):
+    return ('<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian"><ImageData '
+            'WholeExtent="0 %d 0 %d 0 %d" Origin="100 0 -7" Spacing="1 1 1.5"><Piece Extent="0 %d 0 %d 0 %d">'
+            '<PointData Scalars="v"><DataArray type="Int16" Name="v" format="ascii">%s</DataArray></PointData>'
+            '</Piece></ImageData></VTKFile>'
+            % (*(n - 1 for n in SIZE), *(n - 1 for n in SIZE), " ".join(map(str, values)))).encode()
+
+
+class Images(ProgramTest):
+    def write_bytes(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content)
+        return self.path(name)
+
+    def read(self, name, content, *options):
+        """Runs on an image; returns report.json, and the middle of the surface."""
+        out = self.path("out")
+        done = self.run_program(self.write_bytes(name, content), "--output", out, "--schedule", "",
+                                "--spacing", "1.5", *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(out + "/report.json") as file:
+            report = json.load(file)
+        with open(out + "/surface.stl", "rb") as file:
+            triangles = file.read()[84:]
+        corners = [struct.unpack_from("<9f", triangles, at + 12) for at in range(0, len(triangles), 50)]
+        middle = [(min(min(c[k::3]) for c in corners) + max(max(c[k::3]) for c in corners)) / 2
+                  for k in range(3)]
+        return report, middle
+
+    def refuse(self, name, content, *fragments, options=()):
+        """Exit 2 within a second of computing, and a line that names the file and says these fragments."""
+        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.assert_fails(2, [name, *fragments], self.write_bytes(name, content), *options)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.assertLess(after.ru_utime + after.ru_stime - usage.ru_utime - usage.ru_stime, 1)
+
+    def assert_middle(self, found, expected):
+        for a, b in zip(found, expected):
+            self.assertAlmostEqual(a, b, delta=0.4)
+
+    def test_all_kinds_of_files_give_the_same(self):
+        values = voxels(ball)
+        for name, content in (("a.mha", mha(values)), ("p.mha", mha(values, packed=True)),
+                              ("a.nrrd", nrrd(values)), ("a.nii", nii(values)), ("a.vti", vti(values)),
+                              ("a.nii.gz", gzip.compress(nii(values)))):
+            report, middle = self.read(name, content)
+            self.assertEqual(report["source"], "image", name)
+            self.assertEqual(report["image"]["label"], 5, name)
+            self.assertEqual(report["betti"]["segmentation"], [1, 0, 0], name)
+            self.assertEqual(report["betti"]["crust"], [1, 0, 0], name)
+            self.assertEqual(report["verdict"]["name"], "certified", name)
+            self.assert_middle(middle, (106.5, 5.5, -0.25))
+
+    def test_directions_of_axes_are_heeded(self):
+        values = voxels(ball)  # i along y, j along -x, k along z
+        turned = (100 - 5.5, 6.5, -7 + 6.75)
+        for name, content in (
+                ("a.mha", mha(values, matrix="0 1 0 -1 0 0 0 0 1")),
+                ("a.nrrd", nrrd(values, "(0,1,0) (-1,0,0) (0,0,1.5)")),
+                ("a.nii", nii(values, ((0, -1, 0, 100), (1, 0, 0, 0), (0, 0, 1.5, -7))))):
+            self.assert_middle(self.read(name, content)[1], turned)
+
+    def test_values_of_nifti_are_rescaled(self):
+        content = nii(voxels(lambda *at: 10 * ball(*at)), slope=2.0, intercept=-10.0)
+        report, _ = self.read("a.nii", content, "--iso", "80")
+        self.assertEqual(report["image"]["isoValue"], 80)
+        self.refuse("a.nii", content, "-10, 90", options=("--iso", "91"))
+
+    def test_options_tell_the_solid(self):
+        values = voxels(lambda x, y, z: 0 if ball(x, y, z) == 0 else 2 if x < 0 else 7)
+        self.refuse("a.mha", mha(values), "the labels are 0, 2, 7", "--label N")
+        self.refuse("a.mha", mha(values), "no voxel has the label 3", options=("--label", "3"))
+        report, middle = self.read("a.mha", mha(values), "--label", "7")
+        self.assertGreater(middle[0], 107.5)
+        self.assertEqual(report["image"]["label"], 7)
+        self.refuse("a.mha", mha(values), "no piece", options=("--label", "7", "--pieces", "100000"))
+        self.assert_fails(1, ["--iso or --label"], self.path("a.mha"), "--iso", "1", "--label", "2")
+        self.assert_fails(1, ["for images"], self.path("a.ply"), "--iso", "1")
+        self.assert_fails(1, ["a number"], self.path("a.mha"), "--iso", "x")
+
+    def test_cuts_and_fillings_are_told(self):
+        def tube(x, y, z):
+            return 1 if 0.4 < math.hypot(x, y) < 0.9 else 0
+        report, _ = self.read("a.mha", mha(voxels(tube)))
+        self.assertEqual([w["code"] for w in report["warnings"]], ["cut_at_border"])
+        self.assertEqual(report["betti"]["crust"], [1, 1, 0])
+        self.assertGreater(report["image"]["cutVoxels"][4], 20)
+
+        def hollow(x, y, z):
+            return ball(x, y, z) if x * x + y * y + z * z > 0.12 else 0
+        filled, _ = self.read("a.mha", mha(voxels(hollow)))
+        self.assertEqual(filled["image"]["filledCavities"], 1 if filled["image"]["filledVoxels"] else 0)
+        kept, _ = self.read("a.mha", mha(voxels(hollow)), "--no-fill")
+        self.assertEqual(kept["image"]["filledVoxels"], 0)
+        self.assertEqual(kept["betti"]["segmentation"], [1, 0, 1])
+        every, _ = self.read("a.mha", mha(voxels(hollow)), "--fill-cavities", "1000", "--pieces", "largest")
+        self.assertEqual(every["betti"]["segmentation"], [1, 0, 0])
+
+    def test_damaged_files_give_2(self):
+        values = voxels(ball)
+        for name, content in (("a.mha", mha(values)), ("p.mha", mha(values, packed=True)),
+                              ("a.nrrd", nrrd(values)), ("a.nii", nii(values)), ("a.vti", vti(values)),
+                              ("a.nii.gz", gzip.compress(nii(values)))):
+            for share in (0, 0.05, 0.5, 0.9):
+                self.refuse(name, content[:int(share * len(content))])
+            self.refuse(name, b"nonsense\n")
+        self.refuse("a.mha", mha(values, size=(100000, 100000, 100000)), "announces")
+        self.refuse("p.mha", mha(values, size=(3000, 3000, 3000), packed=True), "announces")
