@@ -132,7 +132,7 @@ class SimplifyShape(ProgramTest):
         self.assertAlmostEqual(report["volume"]["crustBefore"] / exact, 1, delta=0.02)
         self.assertAlmostEqual(report["volume"]["crustAfter"] / exact, 1, delta=0.05)
         self.assertEqual(set(report["balls"]), {"inner", "outer", "hidden", "offAxis"})
-        self.assertEqual(set(report["seconds"]), {"samples", "polarBalls", "medialAxis", "parts", "prune",
+        self.assertEqual(set(report["seconds"]), {"image", "samples", "polarBalls", "medialAxis", "parts", "prune",
                                                   "crust", "total"})
         self.assertGreater(report["peakMemoryMiB"], 10)
         self.check_iterations(report, out)
