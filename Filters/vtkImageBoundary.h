@@ -10,7 +10,7 @@
  *  3. Small pieces are dropped: SetPieces().
  *  4. The image is padded, so that a solid that reaches its border is closed there: SetPad().
  *  5. The mask is smoothed by a Gaussian: SetGaussianRadius(). It takes away steps, and what is thinner
- *     than about two voxels.
+ *     than about two voxels. Cavities and pieces that it makes are filled and dropped like the others.
  *  6. Its surface at one half (vtkFlyingEdges3D) is smoothed without shrinking
  *     (vtkWindowedSincPolyDataFilter): SetSmoothingIterations(), SetPassBand().
  *

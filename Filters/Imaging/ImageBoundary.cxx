@@ -24,7 +24,8 @@ ImageBoundary imageBoundary(
   result.margin = marginOf(options);
   result.mask = options.pad ? padded(mask, result.margin) : std::move(mask);
   result.segmentation = maskBetti(result.mask, execution.between(0.2, 0.4));
-  result.surface = maskSurface(filter, result.mask, options.smoothing, execution.between(0.4, 0.9));
+  result.surface = maskSurface(
+    filter, result.mask, options.smoothing, options.repair, execution.between(0.4, 0.9));
   if (result.surface.triangles.empty())
   {
     throw InvalidInput(

@@ -68,6 +68,30 @@ void avoidCentres(vtkImageData* image)
   }
 }
 
+/// Smoothing breaks thin walls and opens thin gaps: fills the cavities and drops the pieces that it has
+/// made, too. Their values change sides of 1/2.
+void repairSmoothed(
+  vtkImageData* image, VoxelMask mask, const MaskOptions& options, const Execution& execution)
+{
+  auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+  const auto isInside = [values](std::size_t i) {
+    return values->GetValue(static_cast<vtkIdType>(i)) > 0.5F;
+  };
+  for (std::size_t i = 0; i < mask.inside.size(); ++i)
+  {
+    mask.inside[i] = isInside(i) ? 1 : 0;
+  }
+  repairMask(mask, options, execution);
+  for (std::size_t i = 0; i < mask.inside.size(); ++i)
+  {
+    if ((mask.inside[i] != 0) != isInside(i))
+    {
+      const auto voxel = static_cast<vtkIdType>(i);
+      values->SetValue(voxel, 1 - values->GetValue(voxel));
+    }
+  }
+}
+
 MaskSurface read(vtkPolyData* surface)
 {
   MaskSurface result;
@@ -94,13 +118,14 @@ Index reach(const SurfaceSmoothing& smoothing)
 }
 
 MaskSurface maskSurface(vtkAlgorithm* filter, const VoxelMask& mask,
-  const SurfaceSmoothing& smoothing, const Execution& execution)
+  const SurfaceSmoothing& smoothing, const MaskOptions& repair, const Execution& execution)
 {
   const vtkSmartPointer<vtkImageData> image = imageOf(mask);
   if (smoothing.gaussianRadius > 0)
   {
     smoothMask(filter, image, smoothing.gaussianRadius, execution.between(0, 0.4));
     avoidCentres(image);
+    repairSmoothed(image, mask, repair, execution.between(0.4, 0.6));
   }
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(image);
@@ -116,11 +141,11 @@ MaskSurface maskSurface(vtkAlgorithm* filter, const VoxelMask& mask,
   smooth->BoundarySmoothingOff();
   if (smoothing.iterations > 0)
   {
-    runStages(filter, { { contour, 0.5 }, { smooth, 0.5 } }, execution.between(0.4, 1));
+    runStages(filter, { { contour, 0.5 }, { smooth, 0.5 } }, execution.between(0.6, 1));
   }
   else
   {
-    runStages(filter, { { contour, 1 } }, execution.between(0.4, 1));
+    runStages(filter, { { contour, 1 } }, execution.between(0.6, 1));
   }
   execution.poll();
   return read(smoothing.iterations > 0 ? smooth->GetOutput() : contour->GetOutput());

@@ -4,6 +4,7 @@
 
 #include "Base/Execution.h"
 #include "Base/Types.h"
+#include "Images/MaskRepair.h"
 #include "Images/VoxelMask.h"
 
 #include <vector>
@@ -31,9 +32,11 @@ struct MaskSurface
 
 /// The smoothed surface of a mask, by VTK's filters.
 /// @param filter  the one that they work in
+/// @param repair  what is filled and dropped of what smoothing has broken
+/// @throw InvalidInput  see repairMask()
 /// @throw Aborted
 MaskSurface maskSurface(vtkAlgorithm* filter, const VoxelMask& mask,
-  const SurfaceSmoothing& smoothing, const Execution& execution = {});
+  const SurfaceSmoothing& smoothing, const MaskOptions& repair, const Execution& execution = {});
 }
 
 #endif

@@ -219,6 +219,24 @@ TEST(ImageBoundary, TellsWhatSmoothingCosts)
   EXPECT_EQ(text(filter->GetOutput(), "WarningCode"), "");
 }
 
+TEST(ImageBoundary, DropsPiecesThatSmoothingTearsOff)
+{
+  // Two balls that a rod of one voxel connects.
+  const auto filter = filterOf(image(31, [](double x, double y, double z) {
+    return std::hypot(x + 0.5, y, z) < 0.4 || std::hypot(x - 0.6, y, z) < 0.3 ||
+        (std::abs(x) < 0.5 && std::abs(y) < 0.03 && std::abs(z) < 0.03)
+      ? 1
+      : 0;
+  }));
+  filter->Update();
+  EXPECT_EQ(betti(filter->GetOutput(), "BettiSegmentation"), (Betti{ 1, 0, 0 }));
+  EXPECT_EQ(betti(filter->GetOutput(), "BettiBoundary"), (Betti{ 2, 0, 0 }));
+  filter->SetPiecesToLargest();
+  filter->Update();
+  EXPECT_EQ(betti(filter->GetOutput(), "BettiBoundary"), (Betti{ 1, 0, 0 }));
+  EXPECT_LT(filter->GetOutput()->GetBounds()[1], 3 + 20);
+}
+
 TEST(ImageBoundary, IsClosedForRandomVoxels)
 {
   unsigned state = 1;
