@@ -64,7 +64,7 @@ class SimplifyShape(ProgramTest):
     def options(self):
         """Each option of --help with an example of its value, or None if it takes none."""
         examples = {"DIR": self.path("none"), '"W W ..."': "t5", "WORD": "none", "ID,ID": "0,1",
-                    "N": "1", "L": "0.1", "F": "0.2"}
+                    "N": "1", "L": "0.1", "F": "0.2", "X": "0.5", "WHICH": "largest"}
         text = self.run_program("--help").stdout
         found = re.findall(r"^  (--[a-z-]+)(?: (\S.*?))?  ", text, re.M)
         return {name: examples[placeholder] if placeholder else None
@@ -122,7 +122,7 @@ class SimplifyShape(ProgramTest):
         self.assertEqual(set(os.listdir(out)), DATA)
         self.assertEqual(report["samples"], 1500)
         self.assertEqual(report["duplicates"], 0)
-        self.assertEqual(report["betti"], {"solid": None, **dict.fromkeys(
+        self.assertEqual(report["betti"], {"segmentation": None, "solid": None, **dict.fromkeys(
             ("powerShape", "axis", "pruned", "crust"), [1, 0, 0])})
         self.assertEqual((report["source"], report["sampling"]), ("points", None))
         self.assertIs(report["certificate"], True)
@@ -250,7 +250,7 @@ class SimplifyShape(ProgramTest):
 
     def test_torus_keeps_its_tunnel(self):
         report, _ = self.simplify(torus(), "--schedule", "t5 v50%", "--strict")
-        del report["betti"]["solid"]
+        del report["betti"]["solid"], report["betti"]["segmentation"]
         for betti in report["betti"].values():
             self.assertEqual(betti, [1, 1, 0])
 

@@ -20,8 +20,8 @@ class Meshes(ProgramTest):
         with open(self.path("box/report.json")) as file:
             report = json.load(file)
         self.assertEqual(report["source"], "triangles")
-        self.assertEqual(report["betti"], dict.fromkeys(
-            ("solid", "powerShape", "axis", "pruned", "crust"), [1, 0, 0]))
+        self.assertEqual(report["betti"], {"segmentation": None, **dict.fromkeys(
+            ("solid", "powerShape", "axis", "pruned", "crust"), [1, 0, 0])})
         self.assertEqual(report["sampling"]["polygons"], 6)
         self.assertAlmostEqual(report["sampling"]["volume"], 6)
         self.assertAlmostEqual(report["sampling"]["area"], 22)
