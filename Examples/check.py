@@ -155,7 +155,7 @@ class SimplifyShape(ProgramTest):
 
     def test_surface_reads_back_closed(self):
         """Also where sheets touch: readers of STL take corners at the same place for one point."""
-        for name, points in (("torus", torus()), ("grid", grid_cube(12, 6))):
+        for name, points in (("torus", torus()), ("grid", map(tuple, grid_cube(12, 6)))):
             out = self.path(name)
             done = self.run_program(self.write_xyz(points), "--output", out)
             self.assertEqual(done.returncode, 0, done.stderr)
