@@ -19,7 +19,7 @@ public:
   {
   }
 
-  /// @return  was a corner moved? That may have made other triangles flat.
+  /// @return  was a side contracted or a corner moved? That may have made other triangles flat.
   bool run()
   {
     std::vector<Index> flat;
@@ -32,20 +32,28 @@ public:
     }
     // A flip makes the smaller of two triangles larger, so this ends; but it could take long.
     const std::size_t most = 8 * flat.size();
+    bool changed = false;
     for (std::size_t k = 0; k < std::min(most, flat.size()); ++k) // the list grows
     {
-      if (this->isFlat(flat[k]) && !this->contractSide(flat[k]))
+      if (!this->isFlat(flat[k]))
+      {
+        continue;
+      }
+      if (this->contractSide(flat[k]))
+      {
+        changed = true;
+      }
+      else
       {
         this->flipLongest(flat[k], flat);
       }
     }
     sortUnique(flat);
-    bool moved = false;
     for (const Index t : flat)
     {
-      moved = (this->isFlat(t) && this->moveApex(t)) || moved;
+      changed = (this->isFlat(t) && this->moveApex(t)) || changed;
     }
-    return moved;
+    return changed;
   }
 
 private:
@@ -164,7 +172,7 @@ private:
 
 void mendFlatTriangles(CrustEdits& edits, const SliverLimits& limits)
 {
-  constexpr int mostTurns = 8; // one is usual
+  constexpr int mostTurns = 8; // two are usual
   for (int turn = 0; turn < mostTurns && Mending(edits, limits).run(); ++turn)
   {
   }
