@@ -31,9 +31,9 @@ import sys
 import tempfile
 import time
 
+import tables
+
 HERE = pathlib.Path(__file__).resolve().parent
-README = HERE.parent / "README.md"
-BEGIN, END = "<!-- table of hostile inputs: begin -->\n", "<!-- table of hostile inputs: end -->\n"
 HEADER = "| file | what | right | outcome | why, or warnings | as expected |\n|---|---|---|---|---|---|\n"
 LIMIT = 600  # seconds of work for one file, however busy the machine is
 PATIENCE = 3600  # seconds, if it waits for ever
@@ -87,15 +87,6 @@ def row(program, data, entry):
     return "| " + " | ".join(cells) + " |\n", fine, time.monotonic() - begin
 
 
-def write(rows, entries):
-    """Puts rows, by their files, into the table; keeps its rows of other files."""
-    before, _, rest = README.read_text().partition(BEGIN)
-    table, _, after = rest.partition(END)
-    old = {line.split("`")[1]: line for line in table.splitlines(keepends=True) if line.startswith("| `")}
-    lines = [rows.get(entry["file"]) or old.get(entry["file"], "") for entry in entries]
-    README.write_text(before + BEGIN + "\n" + HEADER + "".join(lines) + "\n" + END + after)
-
-
 def main():
     arguments = [word for word in sys.argv[1:] if word != "--write"]
     if len(arguments) < 2:
@@ -114,7 +105,7 @@ def main():
             failures += not fine
     print(f"{len(rows) - failures} of {len(rows)} as expected")
     if "--write" in sys.argv:
-        write(rows, entries)
+        tables.write("hostile inputs", HEADER, rows, [entry["file"] for entry in entries])
     sys.exit(failures > 0)
 
 

@@ -1,0 +1,168 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs SimplifyShape on closed meshes and compares each stage with the solid.
+
+    Testing/Robustness/tabulate_meshes.py build/bin/SimplifyShape DATA [--write] [PATTERN ...]
+
+DATA is the folder that holds meshes/ and models/. meshes.csv beside this script has the pieces, tunnels and voids
+of each solid, from the sources of the data, not from the program. A mesh is run three times with default options:
+
+    as a mesh             Betti numbers of all stages, verdict
+    without pruning       how far the surface is from the mesh, in spacings: 99 of 100 of its points are nearer,
+                          and the farthest. Not counted is what is nearer than a spacing to a sharp edge of the
+                          mesh (30 degrees). A spacing is the mean distance of a sample to its six nearest ones.
+    with --points         what its vertices alone give
+
+Runs one mesh on each core, each on one thread, for half an hour in all. --write puts the table into
+Testing/README.md; with patterns, such as 'meshes/*', only their rows change. The exit code is 1 where something
+wrong is certified, or a mesh is not right and certified at all stages.
+"""
+
+import csv
+import fnmatch
+import json
+import multiprocessing.pool
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import mutable, vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator, vtkStaticPointLocator
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import tables
+
+HERE = pathlib.Path(__file__).resolve().parent
+HEADER = ("| file | right | samples | parts | power shape | axis | pruned | surface | verdict | distance 99 % | farthest "
+          "| seconds | as points |\n|---|---|--:|--:|---|---|---|---|---|--:|--:|--:|---|\n")
+SHARP = 30  # degrees
+STAGES = ("powerShape", "axis", "pruned", "crust")
+
+
+def run(program, path, folder, *options):
+    """The report of a run, or the message of a refusal."""
+    command = [program, path, "--output", folder, "--quiet", "--threads", "1", *options]
+    process = subprocess.run(command, capture_output=True, text=True, errors="replace", check=False)
+    report = pathlib.Path(folder, "report.json")
+    return json.loads(report.read_text()) if report.exists() else process.stderr.strip()
+
+
+def read(reader, path):
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def spacing_at(samples):
+    """A function that tells how far samples are apart near a place."""
+    locator = vtkStaticPointLocator()
+    locator.SetDataSet(samples)
+    locator.BuildLocator()
+    points = vtk_to_numpy(samples.GetPoints().GetData())
+    found = vtkIdList()
+
+    def spacing(place):
+        locator.FindClosestNPoints(7, points[locator.FindClosestPoint(place)], found)
+        near = points[[found.GetId(i) for i in range(found.GetNumberOfIds())]]
+        return np.linalg.norm(near[1:] - near[0], axis=1).mean()
+
+    return spacing
+
+
+def distance_to(surface):
+    """A function that tells how far a place is from cells; infinitely far from none."""
+    if surface.GetNumberOfCells() == 0:
+        return lambda place: np.inf
+    locator = vtkStaticCellLocator()
+    locator.SetDataSet(surface)
+    locator.BuildLocator()
+
+    def distance(place):
+        closest, squared = [0.0] * 3, mutable(0.0)
+        locator.FindClosestPoint(place, closest, mutable(0), mutable(0), squared)
+        return float(squared) ** 0.5
+
+    return distance
+
+
+def sharp_edges(mesh):
+    edges = vtkFeatureEdges()
+    edges.SetInputData(mesh)
+    edges.SetFeatureAngle(SHARP)
+    edges.BoundaryEdgesOff()
+    edges.NonManifoldEdgesOff()
+    edges.Update()
+    return edges.GetOutput()
+
+
+def distances(mesh, folder):
+    """How far the corners and middles of a surface's triangles are from the mesh, in spacings."""
+    surface = read(vtkXMLPolyDataReader(), pathlib.Path(folder, "surface.vtp"))
+    spacing = spacing_at(read(vtkXMLPolyDataReader(), pathlib.Path(folder, "samples.vtp")))
+    to_mesh, to_edges = distance_to(mesh), distance_to(sharp_edges(mesh))
+    corners = vtk_to_numpy(surface.GetPoints().GetData())
+    triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    result = []
+    for place in np.concatenate([corners, corners[triangles].mean(axis=1)]):
+        length = spacing(place)
+        if to_edges(place) > length:
+            result.append(to_mesh(place) / length)
+    return np.array(result)
+
+
+def in_words(betti):
+    return " ".join(str(int(number)) for number in betti) if betti else "-"
+
+
+def row(program, data, entry):
+    """A row of the table, and whether it is as it must be."""
+    path, right = data / entry["file"], entry["right"]
+    with tempfile.TemporaryDirectory() as folder:
+        report = run(program, path, pathlib.Path(folder, "mesh"))
+        points = run(program, path, pathlib.Path(folder, "points"), "--points")
+        if isinstance(report, str):
+            return f"| `{entry['file']}` | {right} | refused: {report} " + "| " * 11 + "|\n", False
+        run(program, path, pathlib.Path(folder, "unpruned"), "--schedule", "")
+        far = distances(read(vtkPLYReader(), path), pathlib.Path(folder, "unpruned"))
+    stages = [in_words(report["betti"][stage]) for stage in STAGES]
+    verdict = report["verdict"]["name"] + (", fallback" if report["fallback"] else "")
+    if isinstance(points, str):
+        vertices, vertices_certified = "refused", False
+    else:
+        vertices_certified = points["verdict"]["name"] == "certified"
+        vertices = in_words(points["betti"]["crust"]) + ", " + points["verdict"]["name"]
+    farthest, most = (far.max(), np.quantile(far, 0.99)) if len(far) else (0, 0)
+    cells = [f"`{entry['file']}`", right, f"{report['samples']:,}", f"{report['parts']:,}", *stages, verdict,
+             f"{most:.2f}", f"{farthest:.2f}", f"{report['seconds']['total']:.0f}", vertices]
+    fine = set(stages) == {right} and verdict == "certified"
+    return "| " + " | ".join(cells) + " |\n", fine and (not vertices_certified or vertices.startswith(right + ","))
+
+
+def main():
+    arguments = [word for word in sys.argv[1:] if word != "--write"]
+    if len(arguments) < 2:
+        sys.exit(__doc__)
+    program, data, *patterns = arguments
+    with open(HERE / "meshes.csv", newline="", encoding="utf-8") as file:
+        entries = list(csv.DictReader(file))
+    chosen = [entry for entry in entries
+              if not patterns or any(fnmatch.fnmatch(entry["file"], p) for p in patterns)]
+    rows, failures = {}, 0
+    with multiprocessing.pool.ThreadPool(os.cpu_count()) as pool:
+        for entry, (line, fine) in zip(chosen, pool.imap(lambda e: row(program, pathlib.Path(data), e), chosen)):
+            print(line, end="", flush=True)
+            rows[entry["file"]] = line
+            failures += not fine
+    print(f"{len(rows) - failures} of {len(rows)} right and certified")
+    if "--write" in sys.argv:
+        tables.write("meshes", HEADER, rows, [entry["file"] for entry in entries])
+    sys.exit(failures > 0)
+
+
+main()
