@@ -11,6 +11,7 @@
 #include <CGAL/spatial_sort.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace medial
@@ -181,6 +182,34 @@ void RegularTriangulation::insert(const std::vector<Ball>& balls, const Executio
   insertInOrder(this->implementation->triangulation, spatialOrder(centers), weighted,
     this->implementation->inserted, execution);
   this->implementation->inserted += count(balls);
+}
+
+std::vector<Tetrahedron> RegularTriangulation::replacedBy(const Ball& ball) const
+{
+  const Regular& triangulation = this->implementation->triangulation;
+  const Regular::Weighted_point added(kernelPoint(ball.center), ball.radius * ball.radius);
+  std::vector<Tetrahedron> result;
+  if (triangulation.dimension() < 3)
+  {
+    return result;
+  }
+  const Regular::Cell_handle at = triangulation.locate(added);
+  if (triangulation.side_of_power_sphere(at, added, true) != CGAL::ON_BOUNDED_SIDE)
+  {
+    return result;
+  }
+  std::vector<Regular::Cell_handle> cells;
+  triangulation.find_conflicts(
+    added, at, CGAL::Emptyset_iterator(), std::back_inserter(cells), CGAL::Emptyset_iterator());
+  for (const Regular::Cell_handle cell : cells)
+  {
+    Tetrahedron& corners = result.emplace_back();
+    for (int k = 0; k < 4; ++k)
+    {
+      corners[k] = cell->vertex(k)->info().value;
+    }
+  }
+  return result;
 }
 
 Tetrahedra RegularTriangulation::tetrahedra(const Execution& execution) const

@@ -37,6 +37,10 @@ public:
   /// Adds balls; they are numbered on from those already there.
   void insert(const std::vector<Ball>& balls, const Execution& execution = {});
 
+  /// The cells that would be gone if a ball was inserted, in no particular order; none where it would be hidden.
+  /// The vertex at infinity is None.
+  std::vector<Tetrahedron> replacedBy(const Ball& ball) const;
+
   /// The triangulation of all balls inserted so far.
   Tetrahedra tetrahedra(const Execution& execution = {}) const;
 

@@ -2,6 +2,7 @@
 #include "Crust/ClearanceFilling.h"
 
 #include "Balls/MarkedBetti.h"
+#include "Crust/ShrinkingShape.h"
 
 #include <algorithm>
 #include <limits>
@@ -143,10 +144,36 @@ private:
     return fillingBalls(this->diagram, distances, limit);
   }
 
-  /// Inserts all the balls. Where that brings the topology farther from the one wanted, tries the
-  /// halves of the list, one after the other, and so on down to single balls: few balls do harm, and
-  /// this finds them with few triangulations.
+  /// Inserts the balls that keep the topology. Where it isn't the one wanted yet, tries the others, too.
   void insert(const std::vector<Ball>& balls)
+  {
+    std::vector<Ball> others;
+    for (const Ball& ball : balls)
+    {
+      this->execution.poll();
+      if (shrinksByCollapses(this->triangulation.replacedBy(ball), this->diagram.inner))
+      {
+        this->triangulation.insert({ ball });
+        this->add({ ball });
+      }
+      else
+      {
+        others.push_back(ball);
+      }
+    }
+    if (this->defect > 0)
+    {
+      this->insertIfBetter(others);
+    }
+    else
+    {
+      this->filling.refused += count(others);
+    }
+  }
+
+  /// Inserts all the balls if that brings the topology nearer to the one wanted. Else tries the halves of
+  /// the list, one after the other, and so on down to single balls.
+  void insertIfBetter(const std::vector<Ball>& balls)
   {
     if (balls.empty())
     {
@@ -162,13 +189,7 @@ private:
     {
       this->defect = trialDefect;
       this->triangulation = std::move(trial);
-      this->diagram.inner = std::move(inner);
-      this->filling.inserted += count(balls);
-      for (const Ball& ball : balls)
-      {
-        this->diagram.balls.push_back(ball);
-        this->diagram.samples.close(); // it has none
-      }
+      this->add(balls);
     }
     else if (balls.size() == 1)
     {
@@ -177,8 +198,20 @@ private:
     else
     {
       const auto middle = balls.begin() + static_cast<std::ptrdiff_t>(balls.size() / 2);
-      this->insert({ balls.begin(), middle });
-      this->insert({ middle, balls.end() });
+      this->insertIfBetter({ balls.begin(), middle });
+      this->insertIfBetter({ middle, balls.end() });
+    }
+  }
+
+  /// Adds to the diagram what the triangulation has already.
+  void add(const std::vector<Ball>& balls)
+  {
+    this->filling.inserted += count(balls);
+    for (const Ball& ball : balls)
+    {
+      this->diagram.balls.push_back(ball);
+      this->diagram.inner.push_back(0);
+      this->diagram.samples.close(); // it has none
     }
   }
 
