@@ -7,7 +7,7 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${MEDIAL_BUILD:-$top/build}
 meshes=$build/data/meshes
 
-build_packages=(g++ cmake ninja-build libvtk9-dev libcgal-dev libeigen3-dev)
+build_packages=(g++ cmake ninja-build libvtk9-dev libvtk-dicom-dev libcgal-dev libeigen3-dev)
 picture_packages=(xvfb libgl1-mesa-dri)
 paraview_packages=(paraview paraview-dev libopenmpi-dev openmpi-bin libqt5svg5 qtbase5-dev
   qttools5-dev qtxmlpatterns5-dev-tools)

@@ -2,10 +2,10 @@
 #include "Arguments.h"
 
 #include "Errors.h"
+#include "ImageNames.h"
 #include "Lines.h"
 #include "Messages.h"
 #include "Options.h"
-#include "ReadImage.h"
 
 #include <vtkMedialPrune.h>
 #include <vtkNew.h>
@@ -180,6 +180,14 @@ std::vector<Option> imageOptions(Arguments& arguments)
       "of an image: the solid are the voxels of the value N (default: the one of two values\n"
       "that isn't 0)",
       [&](const std::string& value) { arguments.label = parseValue("--label", value); } },
+    { "--series", "N",
+      "of a folder of DICOM files: the one to take of several series, counted from 1",
+      [&](const std::string& value) {
+        if (!parseCount(value, arguments.series) || arguments.series < 1)
+        {
+          throw UsageError("--series takes a number from 1 on, not '" + value + "'");
+        }
+      } },
     { "--fill-cavities", "N", "fills cavities of at most N voxels (default: 50)",
       [&](const std::string& value) {
         arguments.fillCavities = parseVoxels("--fill-cavities", value);
@@ -285,11 +293,15 @@ void complete(Arguments& arguments)
   }
   const bool isForImages = arguments.iso || arguments.label || arguments.fillCavities ||
     arguments.smallestPiece || arguments.largestPiece;
-  if (isForImages && !isImageName(arguments.input))
+  const ImageKind kind = imageKind(arguments.input);
+  if (isForImages && kind == ImageKind::None)
   {
-    throw UsageError(
-      "--iso, --label, --fill-cavities, --no-fill and --pieces are for images: .vti .mha "
-      ".mhd .nrrd .nii .nii.gz");
+    throw UsageError("--iso, --label, --fill-cavities, --no-fill and --pieces are for images: .vti "
+                     ".mha .mhd .nrrd .nii .nii.gz .dcm, or a folder of DICOM files");
+  }
+  if (arguments.series > 0 && kind != ImageKind::Dicom)
+  {
+    throw UsageError("--series is for a folder of DICOM files");
   }
   checkSchedule(arguments.schedule);
 }
@@ -313,7 +325,7 @@ std::string usage()
 
 INPUT is a .ply .stl .obj .vtp .vtu .off or .xyz file. Polygons that bound a solid are sampled; of
 other files the points are taken as samples of the solid's closed boundary. Or it is an image, .vti
-.mha .mhd .nrrd .nii or .nii.gz, which the solid in it is cut out of.
+.mha .mhd .nrrd .nii .nii.gz .dcm or a folder of DICOM files, which the solid in it is cut out of.
 
 )" + helpOf(optionsOf(defaults)) +
     R"(

@@ -25,6 +25,7 @@ struct Arguments
   double wrapWidth = 0;       ///< of the gaps that it crosses; 0: chosen
   std::optional<double> iso;  ///< of an image: its solid are the voxels of at least this value
   std::optional<double> label;      ///< or those of this one
+  int series = 0;                   ///< of a folder of DICOM files, from 1 on; 0: the only one
   std::optional<int> fillCavities;  ///< largest one that is filled, in voxels
   std::optional<int> smallestPiece; ///< that is kept, in voxels
   bool largestPiece = false;        ///< keep that alone

@@ -2,19 +2,13 @@
 #ifndef ReadImage_h
 #define ReadImage_h
 
-#include <vtkImageData.h>
-#include <vtkSmartPointer.h>
+#include "ImageFile.h"
 
-#include <string>
-
-/// Is it the name of a .vti .mha .mhd .nrrd .nii or .nii.gz file?
-bool isImageName(const std::string& file);
-
-/// The voxels of such a file, with origin, spacing and direction: those of VTK's reader, and where it leaves
-/// them out, as they are in the header (sform or qform of NIfTI, whose values are rescaled, too).
+/// The voxels of an image, see readImageFile().
 ///
-/// VTK's readers work in a process of their own, as in ReadXml.h.
-/// @throw InputError  the file can't be read, or is shorter than its header says; says why
-vtkSmartPointer<vtkImageData> readImage(const std::string& file);
+/// VTK's readers work in a process of their own, as in ReadXml.h. What it may use depends on what the header
+/// announces, once it is known that there is so much.
+/// @throw InputError  the image can't be read; says why
+vtkSmartPointer<vtkImageData> readImage(const ImageSource& source);
 
 #endif

@@ -2,6 +2,7 @@
 #include "ReadPoints.h"
 
 #include "Errors.h"
+#include "ImageNames.h"
 #include "ReadImage.h"
 #include "ReadObj.h"
 #include "ReadPly.h"
@@ -37,11 +38,6 @@ std::string lowerCaseExtension(const std::string& file)
 /// @throw InputError  there is no such file, or it may not be read
 void checkReadable(const std::string& file)
 {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-  {
-    throw InputError(file + ": is a folder, not a file; convert DICOM to .nii.gz (dcm2niix)");
-  }
   if (!std::ifstream(file))
   {
     throw InputError(file + ": " + std::strerror(errno));
@@ -68,8 +64,8 @@ vtkSmartPointer<vtkPolyData> read(const std::string& file, const std::string& ex
     }
   }
   throw InputError(file + ": can't read '" + extension +
-    "' files; convert it to .ply .stl .obj .vtp .vtu .off or .xyz, an image to .vti .mha .nrrd or "
-    ".nii.gz");
+    "' files; convert it to .ply .stl .obj .vtp .vtu .off or .xyz, an image to .vti .mha .nrrd "
+    ".nii.gz or .dcm");
 }
 
 bool isFinite(vtkPoints* points, vtkIdType i)
@@ -99,12 +95,12 @@ vtkSmartPointer<vtkPolyData> finitePoints(vtkPolyData* data)
 }
 }
 
-Input readInput(const std::string& file, bool dropInvalid)
+Input readInput(const std::string& file, int series, bool dropInvalid)
 {
   checkReadable(file);
-  if (isImageName(file))
+  if (imageKind(file) != ImageKind::None)
   {
-    return { nullptr, readImage(file), 0 };
+    return { nullptr, readImage({ file, series }), 0 };
   }
   const auto data = read(file, lowerCaseExtension(file));
   if (!data || !data->GetPoints() || data->GetNumberOfPoints() == 0)

@@ -19,8 +19,9 @@ struct Input
 /// The points of a .ply .stl .obj .vtp .vtu .off or .xyz file, and its polygons. These name existing points. Or
 /// the voxels of an image, see ReadImage.h.
 ///
+/// @param series       of a folder of DICOM files, see DicomSeries.h
 /// @param dropInvalid  leave points with a coordinate that is NaN or infinite out
 /// @throw InputError  the file can't be read, or has such points that must not be left out; says why
-Input readInput(const std::string& file, bool dropInvalid);
+Input readInput(const std::string& file, int series, bool dropInvalid);
 
 #endif

@@ -6,11 +6,11 @@
 #include "Arguments.h"
 #include "DrawingProcess.h"
 #include "Errors.h"
+#include "ImageNames.h"
 #include "Messages.h"
 #include "OutputFolder.h"
 #include "Pictures.h"
 #include "Progress.h"
-#include "ReadImage.h"
 #include "ReadPoints.h"
 #include "Report.h"
 #include "ResultNames.h"
@@ -130,8 +130,8 @@ void run(vtkSimplifyShape* simplify, const Arguments& arguments)
     *simplify->GetErrorMessage() ? simplify->GetErrorMessage() : messages::error();
   if (!reason.empty() || simplify->GetErrorCode() != vtkErrorCode::NoError)
   {
-    const bool isUnclear = isImageName(arguments.input) && !arguments.iso && !arguments.label &&
-      reason.find("choose") != std::string::npos;
+    const bool isUnclear = imageKind(arguments.input) != ImageKind::None && !arguments.iso &&
+      !arguments.label && reason.find("choose") != std::string::npos;
     throw InputError(arguments.input + ": " +
       (reason.empty() ? "failed without a reason" : reason) +
       (isUnclear ? " (--label N or --iso X)" : ""));
@@ -210,7 +210,7 @@ ExitCode simplify(const Arguments& arguments)
   {
     vtkSMPTools::Initialize(arguments.threads);
   }
-  const Input input = readInput(arguments.input, arguments.dropInvalid);
+  const Input input = readInput(arguments.input, arguments.series, arguments.dropInvalid);
   OutputFolder folder(arguments.output, arguments.input);
   vtkNew<vtkSimplifyShape> filter;
   filter->SetInputDataObject(

@@ -16,6 +16,7 @@ import struct
 import subprocess
 import unittest
 
+from check_dicom import Dicom  # the same of DICOM series; run with the rest
 from check_images import Images  # the same of images; run with the rest
 from check_inputs import Inputs  # what the program reads and refuses; run with the rest
 from check_meshes import Meshes  # what it makes of polygons; run with the rest

@@ -49,7 +49,7 @@ class Inputs(ProgramTest):
 
     def test_unusable_files_give_2(self):
         self.assert_fails(2, ["nowhere.ply", "No such file"], self.path("nowhere.ply"))
-        self.assert_fails(2, ["is a folder"], self.folder.name)
+        self.assert_fails(2, ["no DICOM images"], self.folder.name)
         self.assert_fails(2, ["too long"], self.path("x" * 300 + ".ply"))
         self.assert_fails(2, ["'.txt'", ".xyz"], self.write("points.txt", "0 0 0\n"))
         for name in ("bad.ply", "bad.vtp", "bad.vtu", "bad.stl", "bad.obj", "bad.off", "bad.xyz"):
