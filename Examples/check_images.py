@@ -117,6 +117,20 @@ class Images(ImageTest):
         every, _ = self.read("a.mha", mha(voxels(hollow)), "--fill-cavities", "1000", "--pieces", "largest")
         self.assertEqual(every["betti"]["segmentation"], [1, 0, 0])
 
+    def test_hollow_bone_with_islands(self):
+        def bone(x, y, z):
+            distance = math.hypot(x, y, z)
+            islands = (math.dist((x, y, z), (0.25 * k, 0.2 * k * k, 0)) for k in (-1, 0, 1))
+            return 1 if 0.6 < distance < 0.9 or min(islands) < 0.12 else 0
+        content = mha(voxels(bone, (40, 40, 30)), (40, 40, 30))
+        fill, largest = ("--fill-cavities", "100000"), ("--pieces", "largest")
+        for options, expected in ((("--no-fill", "--pieces", "1"), [4, 0, 1]), (largest, [1, 0, 1]),
+                                  (fill, [1, 0, 0]), (fill + largest, [1, 0, 0])):
+            report, _ = self.read("a.mha", content, *options)
+            self.assertEqual(report["betti"]["segmentation"], expected)
+            self.assertEqual(report["betti"]["crust"], expected)
+            self.assertEqual(report["verdict"]["name"], "certified")
+
     def test_damaged_files_give_2(self):
         values = voxels(ball)
         for name, content in (("a.mha", mha(values)), ("p.mha", mha(values, packed=True)),

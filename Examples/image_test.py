@@ -11,9 +11,9 @@ from program_test import ProgramTest
 SIZE = (14, 12, 10)
 
 
-def voxels(value):
+def voxels(value, size=SIZE):
     """value(x, y, z) with coordinates -1 ... 1 at the voxels, the first index fastest."""
-    at = [[2 * (i + 0.5) / n - 1 for i in range(n)] for n in SIZE]
+    at = [[2 * (i + 0.5) / n - 1 for i in range(n)] for n in size]
     return [value(x, y, z) for z in at[2] for y in at[1] for x in at[0]]
 
 
