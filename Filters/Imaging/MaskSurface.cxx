@@ -68,9 +68,10 @@ void avoidCentres(vtkImageData* image)
   }
 }
 
-/// Smoothing breaks thin walls and opens thin gaps: fills the cavities and drops the pieces that it has
-/// made, too. Their values change sides of 1/2.
-void repairSmoothed(
+/// Smoothing breaks thin walls and opens thin gaps, and a contour separates voxels that share only an edge
+/// or a corner: fills the cavities and drops the pieces that come from this, too. Their values change
+/// sides of 1/2.
+void repairValues(
   vtkImageData* image, VoxelMask mask, const MaskOptions& options, const Execution& execution)
 {
   auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
@@ -81,7 +82,7 @@ void repairSmoothed(
   {
     mask.inside[i] = isInside(i) ? 1 : 0;
   }
-  repairMask(mask, options, execution);
+  repairMask(mask, options, execution, VoxelContact::Contour);
   for (std::size_t i = 0; i < mask.inside.size(); ++i)
   {
     if ((mask.inside[i] != 0) != isInside(i))
@@ -125,8 +126,8 @@ MaskSurface maskSurface(vtkAlgorithm* filter, const VoxelMask& mask,
   {
     smoothMask(filter, image, smoothing.gaussianRadius, execution.between(0, 0.4));
     avoidCentres(image);
-    repairSmoothed(image, mask, repair, execution.between(0.4, 0.6));
   }
+  repairValues(image, mask, repair, execution.between(0.4, 0.6));
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(image);
   contour->SetValue(0, 0.5);

@@ -255,6 +255,25 @@ TEST(ImageBoundary, IsClosedForRandomVoxels)
   }
 }
 
+TEST(ImageBoundary, IsOnePieceOnRequestWhateverTheVoxels)
+{
+  unsigned state = 5;
+  for (int run = 0; run < 30; ++run)
+  {
+    const auto filter = filterOf(image(12, [&](double, double, double) {
+      state = state * 1664525 + 1013904223;
+      return state >> 24 < 80U + 3 * static_cast<unsigned>(run) ? 1 : 0;
+    }));
+    const ErrorLog warnings(filter, vtkCommand::WarningEvent);
+    filter->SetFillCavities(VTK_ID_MAX);
+    filter->SetPiecesToLargest();
+    filter->SetGaussianRadius(run % 2 == 0 ? 0 : 0.7);
+    filter->Update();
+    const Betti found = betti(filter->GetOutput(), "BettiBoundary");
+    EXPECT_EQ(found, (Betti{ 1, found[1], 0 })) << "run " << run;
+  }
+}
+
 TEST(ImageBoundary, TakesTheOnlyLabelOrAsks)
 {
   const auto signedBall = image(12, [](double x, double y, double z) { return 5 * ball(x, y, z); });

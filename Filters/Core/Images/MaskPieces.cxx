@@ -71,31 +71,41 @@ private:
   DisjointSets& sets;
 };
 
-void joinRows(const VoxelMask& mask, const Lists<VoxelRun>& rows, DisjointSets& sets,
-  const Execution& execution)
+void joinRows(const VoxelMask& mask, const Lists<VoxelRun>& rows, VoxelContact contact,
+  DisjointSets& sets, const Execution& execution)
 {
+  const bool cubes = contact == VoxelContact::Cubes;
   RowJoiner joiner(rows, sets);
+  const auto joinSideways = [&](Index row, Index other) {
+    joiner.join(row, other, true, cubes ? 1 : 0);
+    joiner.join(row, other, false, cubes ? 0 : 1);
+  };
+  // Of the solid's voxels there all touch as cubes; of those outside the ones that share an edge do in a
+  // contour.
+  const auto joinDiagonally = [&](Index row, Index other) {
+    joiner.join(row, other, cubes, cubes ? 1 : 0);
+  };
   for (Index k = 0; k < mask.size[2]; ++k)
   {
     for (Index j = 0; j < mask.size[1]; ++j)
     {
-      const Index row = j + k * mask.size[1];
+      const Index row = j + k * mask.size[1], below = row - mask.size[1];
       execution.pollAt(row);
-      for (Index other = -1; k > 0 && other <= 1; ++other)
+      if (j > 0)
       {
-        if (j + other >= 0 && j + other < mask.size[1])
-        {
-          joiner.join(row, row - mask.size[1] + other, true, 1);
-        }
+        joinSideways(row, row - 1);
       }
       if (k > 0)
       {
-        joiner.join(row, row - mask.size[1], false, 0);
+        joinSideways(row, below);
       }
-      if (j > 0)
+      if (k > 0 && j > 0)
       {
-        joiner.join(row, row - 1, true, 1);
-        joiner.join(row, row - 1, false, 0);
+        joinDiagonally(row, below - 1);
+      }
+      if (k > 0 && j + 1 < mask.size[1])
+      {
+        joinDiagonally(row, below + 1);
       }
     }
   }
@@ -120,12 +130,12 @@ void joinOutside(const VoxelMask& mask, const Lists<VoxelRun>& rows, DisjointSet
 }
 }
 
-MaskPieces maskPieces(const VoxelMask& mask, const Execution& execution)
+MaskPieces maskPieces(const VoxelMask& mask, const Execution& execution, VoxelContact contact)
 {
   MaskPieces result;
   result.rows = runsOf(mask, execution);
   DisjointSets sets(count(result.rows.items) + 1);
-  joinRows(mask, result.rows, sets, execution);
+  joinRows(mask, result.rows, contact, sets, execution);
   joinOutside(mask, result.rows, sets);
   std::vector<Index> pieceOf(result.rows.items.size() + 1, None);
   pieceOf[0] = MaskPieces::Outside;

@@ -19,10 +19,18 @@ struct VoxelRun
   Index piece;
 };
 
+/// Which voxels touch.
+enum class VoxelContact
+{
+  /// As in the union of the solid's voxels as closed cubes: those of the solid where they share a corner,
+  /// those outside where they share a face.
+  Cubes,
+  /// As in the surface at one half by Marching Cubes: those of the solid where they share a face, those
+  /// outside where they share an edge.
+  Contour
+};
+
 /// The connected pieces of a solid and of what is around it.
-///
-/// Voxels of the solid are connected where they share a corner, those outside where they share a face.
-/// Only so do pieces and cavities fit the union of the voxels as closed cubes.
 struct MaskPieces
 {
   /// The piece of all that is connected with what is beyond the image.
@@ -35,7 +43,8 @@ struct MaskPieces
 
 /// Pieces are numbered by their first voxels. In linear time, but for union-find.
 /// @throw Aborted
-MaskPieces maskPieces(const VoxelMask& mask, const Execution& execution = {});
+MaskPieces maskPieces(const VoxelMask& mask, const Execution& execution = {},
+  VoxelContact contact = VoxelContact::Cubes);
 }
 
 #endif

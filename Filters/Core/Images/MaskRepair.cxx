@@ -2,7 +2,6 @@
 #include "Images/MaskRepair.h"
 
 #include "Base/Errors.h"
-#include "Images/MaskPieces.h"
 
 #include <algorithm>
 #include <limits>
@@ -27,9 +26,8 @@ void turn(VoxelMask& mask, const MaskPieces& pieces, const std::vector<char>& ma
   }
 }
 
-void fillCavities(VoxelMask& mask, Index largest, MaskRepairs& repairs, const Execution& execution)
+void fillCavities(VoxelMask& mask, const MaskPieces& pieces, Index largest, MaskRepairs& repairs)
 {
-  const MaskPieces pieces = maskPieces(mask, execution);
   std::vector<char> marked(pieces.inside.size(), 0);
   for (Index piece = MaskPieces::Outside + 1; piece < count(pieces.inside); ++piece)
   {
@@ -57,9 +55,8 @@ Index largestPiece(const MaskPieces& pieces)
 }
 
 void dropPieces(
-  VoxelMask& mask, const MaskOptions& options, MaskRepairs& repairs, const Execution& execution)
+  VoxelMask& mask, const MaskPieces& pieces, const MaskOptions& options, MaskRepairs& repairs)
 {
-  const MaskPieces pieces = maskPieces(mask, execution);
   const Index largest = largestPiece(pieces);
   if (largest != None && !options.largestOnly && pieces.voxels[largest] < options.smallestKept)
   {
@@ -83,11 +80,12 @@ void dropPieces(
 }
 }
 
-MaskRepairs repairMask(VoxelMask& mask, const MaskOptions& options, const Execution& execution)
+MaskRepairs repairMask(
+  VoxelMask& mask, const MaskOptions& options, const Execution& execution, VoxelContact contact)
 {
   MaskRepairs repairs;
-  fillCavities(mask, options.largestFilled, repairs, execution);
-  dropPieces(mask, options, repairs, execution);
+  fillCavities(mask, maskPieces(mask, execution, contact), options.largestFilled, repairs);
+  dropPieces(mask, maskPieces(mask, execution, contact), options, repairs);
   return repairs;
 }
 

@@ -4,6 +4,7 @@
 
 #include "Base/Execution.h"
 #include "Base/Types.h"
+#include "Images/MaskPieces.h"
 #include "Images/VoxelMask.h"
 
 namespace medial
@@ -26,10 +27,11 @@ struct MaskRepairs
 
 /// Fills small cavities, then drops small pieces. What lies in a filled cavity becomes part of the solid
 /// around it.
+/// @param contact  tells what is a piece and what is a cavity
 /// @throw InvalidInput  no piece is as large as smallestKept; says how large the largest is
 /// @throw Aborted
-MaskRepairs repairMask(
-  VoxelMask& mask, const MaskOptions& options, const Execution& execution = {});
+MaskRepairs repairMask(VoxelMask& mask, const MaskOptions& options, const Execution& execution = {},
+  VoxelContact contact = VoxelContact::Cubes);
 
 /// The mask with `margin` more voxels on all sides, which are outside the solid.
 /// @throw InvalidInput  there are too many voxels then

@@ -10,6 +10,7 @@
 using medial::Index;
 using medial::MaskPieces;
 using medial::maskPieces;
+using medial::VoxelContact;
 using medial::VoxelMask;
 
 namespace
@@ -29,16 +30,18 @@ std::vector<Index> labels(const MaskPieces& pieces)
 }
 
 /// Do two voxels that are at most a step apart along each axis touch?
-bool touch(const VoxelMask& mask, const std::array<Index, 3>& a, const std::array<Index, 3>& b)
+bool touch(const VoxelMask& mask, VoxelContact contact, const std::array<Index, 3>& a,
+  const std::array<Index, 3>& b)
 {
   const Index steps = std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
   const bool inside = mask(a[0], a[1], a[2]);
-  return inside == mask(b[0], b[1], b[2]) && (inside || steps == 1);
+  const Index most = contact == VoxelContact::Cubes ? (inside ? 3 : 1) : inside ? 1 : 2;
+  return inside == mask(b[0], b[1], b[2]) && steps <= most;
 }
 
 /// For each voxel the number of its piece, found by walking from voxel to voxel; those outside begin
 /// with 0.
-std::vector<Index> walked(const VoxelMask& mask)
+std::vector<Index> walked(const VoxelMask& mask, VoxelContact contact)
 {
   std::vector<Index> result(mask.inside.size(), medial::None);
   Index next = 1;
@@ -60,7 +63,7 @@ std::vector<Index> walked(const VoxelMask& mask)
           at[2] + step / 9 - 1 };
         const bool isThere = to[0] >= 0 && to[0] < mask.size[0] && to[1] >= 0 &&
           to[1] < mask.size[1] && to[2] >= 0 && to[2] < mask.size[2];
-        if (isThere && to != at && touch(mask, at, to))
+        if (isThere && to != at && touch(mask, contact, at, to))
         {
           open.push_back(to);
         }
@@ -96,7 +99,10 @@ TEST(MaskPieces, AreThoseThatAWalkFinds)
     const std::array<Index, 3> size{ static_cast<Index>(1 + seed % 7),
       static_cast<Index>(5 - seed % 4), 6 };
     const VoxelMask mask = masks::random(size, 0.1 + 0.8 * (seed % 11) / 10, seed);
-    EXPECT_EQ(labels(maskPieces(mask)), walked(mask)) << "seed " << seed;
+    for (const VoxelContact contact : { VoxelContact::Cubes, VoxelContact::Contour })
+    {
+      EXPECT_EQ(labels(maskPieces(mask, {}, contact)), walked(mask, contact)) << "seed " << seed;
+    }
   }
 }
 
