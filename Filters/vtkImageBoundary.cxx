@@ -97,7 +97,7 @@ int vtkImageBoundary::RequestData(
       const medial::ImageBoundary made = medial::imageBoundary(
         this, std::move(voxels), this->Options(), execution.between(0.1, 0.9));
       medial::write(made, choice, input, surface, mask);
-      medial::reportWarnings(this, made.warnings, { surface, mask });
+      medial::reportWarnings(this, medial::warningsInSpace(made, input), { surface, mask });
     });
 }
 

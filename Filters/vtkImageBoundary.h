@@ -33,7 +33,7 @@
  *  - `CutVoxels` (vtkIdType, 6 components): voxels of the solid at the first and last i, j and k.
  *
  * Warnings, in the field data as vtkPolarBalls.h describes: `cut_at_border`, `smoothed_topology` (the
- * surface has other Betti numbers than the voxels).
+ * surface has other Betti numbers than the voxels); both with a place.
  *
  * An error (no array; an iso value that no surface is at, a label that no voxel has, and then those that
  * there are; NaN; every voxel or none is of the solid; less than two voxels in a direction; too

@@ -157,20 +157,15 @@ void checkGrid(vtkImageData* image)
   }
 }
 
-/// Where the points of a surface are in space.
-std::vector<Point> inSpace(const ImageBoundary& boundary, vtkImageData* input)
+/// Where a point of the surface is in space.
+Point inSpace(const Point& point, const ImageBoundary& boundary, vtkImageData* input)
 {
-  std::vector<Point> result;
   const int* extent = input->GetExtent();
-  const Point first(extent[0], extent[2], extent[4]);
-  for (const Point& point : boundary.surface.points)
-  {
-    const Point voxel = point + first - Point::Constant(boundary.margin);
-    Point place;
-    input->TransformContinuousIndexToPhysicalPoint(voxel.data(), place.data());
-    result.push_back(place);
-  }
-  return result;
+  const Point voxel =
+    point + Point(extent[0], extent[2], extent[4]) - Point::Constant(boundary.margin);
+  Point place;
+  input->TransformContinuousIndexToPhysicalPoint(voxel.data(), place.data());
+  return place;
 }
 
 void addField(const ImageBoundary& boundary, const SolidChoice& choice, vtkImageData* input,
@@ -226,6 +221,19 @@ VoxelMask readMask(vtkImageData* image, vtkDataArray* values, SolidChoice& choic
   return mask;
 }
 
+Warnings warningsInSpace(const ImageBoundary& boundary, vtkImageData* input)
+{
+  Warnings result = boundary.warnings;
+  for (Warning& warning : result)
+  {
+    if (warning.place)
+    {
+      warning.place = inSpace(*warning.place, boundary, input);
+    }
+  }
+  return result;
+}
+
 void padExtent(int extent[6], int margin)
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -244,7 +252,12 @@ void write(const ImageBoundary& boundary, const SolidChoice& choice, vtkImageDat
   {
     std::for_each(triangles.begin(), triangles.end(), [](Triangle& t) { std::swap(t[1], t[2]); });
   }
-  surface->SetPoints(points(inSpace(boundary, input)));
+  std::vector<Point> places;
+  for (const Point& point : boundary.surface.points)
+  {
+    places.push_back(inSpace(point, boundary, input));
+  }
+  surface->SetPoints(points(places));
   surface->SetPolys(cellArray(triangles));
   addField(boundary, choice, input, surface->GetFieldData());
 

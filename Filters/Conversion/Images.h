@@ -33,6 +33,10 @@ VoxelMask readMask(vtkImageData* image, vtkDataArray* values, SolidChoice& choic
 /// Makes an extent of VTK, first and last i, j and k, larger on each side.
 void padExtent(int extent[6], int margin);
 
+/// The warnings with their places in space.
+/// @param input  where the voxels are
+Warnings warningsInSpace(const ImageBoundary& boundary, vtkImageData* input);
+
 /// Writes surface and mask, as vtkImageBoundary.h describes them.
 /// @param choice  what told the voxels of the solid
 /// @param input   where the voxels are; its field data is passed on to both outputs

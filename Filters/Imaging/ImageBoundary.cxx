@@ -5,6 +5,7 @@
 #include "Base/SolidMeasures.h"
 #include "Images/ImageWarnings.h"
 #include "Images/MaskBetti.h"
+#include "Images/MaskDifference.h"
 
 #include <utility>
 
@@ -22,6 +23,11 @@ ImageBoundary imageBoundary(
   result.repairs = repairMask(mask, options.repair, execution.between(0, 0.2));
   result.cut = borderVoxels(mask);
   result.margin = marginOf(options);
+  std::optional<Point> cutAt = firstBorderVoxel(mask);
+  if (cutAt)
+  {
+    *cutAt += Point::Constant(result.margin);
+  }
   result.mask = options.pad ? padded(mask, result.margin) : std::move(mask);
   result.segmentation = maskBetti(result.mask, execution.between(0.2, 0.4));
   result.surface = maskSurface(
@@ -36,8 +42,13 @@ ImageBoundary imageBoundary(
   if (measures.closed && measures.manifold)
   {
     result.betti = measures.betti;
-    result.warnings = imageWarnings(
-      result.segmentation, result.betti, options.pad ? result.cut : std::array<Index, 6>{});
+    std::optional<Point> differsAt;
+    if (result.betti != result.segmentation)
+    {
+      differsAt = topologyDifference(result.mask, result.surface.mask, execution);
+    }
+    result.warnings = imageWarnings(result.segmentation, result.betti,
+      options.pad ? result.cut : std::array<Index, 6>{}, cutAt, differsAt);
   }
   return result;
 }

@@ -32,8 +32,8 @@ struct ImageBoundary
   VoxelMask mask;           ///< as used, padded
   Betti segmentation;       ///< of the mask
   MaskSurface surface;
-  Betti betti; ///< of the surface; all 0 if it is not closed
-  Warnings warnings;
+  Betti betti;       ///< of the surface; all 0 if it is not closed
+  Warnings warnings; ///< their places are in voxels, as the points of the surface
 };
 
 /// Mends the mask, smooths and meshes it.

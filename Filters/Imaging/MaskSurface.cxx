@@ -17,6 +17,7 @@
 #include "vtkWindowedSincPolyDataFilter.h"
 
 #include <cmath>
+#include <utility>
 
 // VTK 9.1's filters don't all heed an image's direction, so everything is done in voxels.
 
@@ -71,7 +72,8 @@ void avoidCentres(vtkImageData* image)
 /// Smoothing breaks thin walls and opens thin gaps, and a contour separates voxels that share only an edge
 /// or a corner: fills the cavities and drops the pieces that come from this, too. Their values change
 /// sides of 1/2.
-void repairValues(
+/// @return  the mask that the values are of then
+VoxelMask repairValues(
   vtkImageData* image, VoxelMask mask, const MaskOptions& options, const Execution& execution)
 {
   auto* values = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
@@ -91,6 +93,7 @@ void repairValues(
       values->SetValue(voxel, 1 - values->GetValue(voxel));
     }
   }
+  return mask;
 }
 
 MaskSurface read(vtkPolyData* surface)
@@ -127,7 +130,7 @@ MaskSurface maskSurface(vtkAlgorithm* filter, const VoxelMask& mask,
     smoothMask(filter, image, smoothing.gaussianRadius, execution.between(0, 0.4));
     avoidCentres(image);
   }
-  repairValues(image, mask, repair, execution.between(0.4, 0.6));
+  VoxelMask enclosed = repairValues(image, mask, repair, execution.between(0.4, 0.6));
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(image);
   contour->SetValue(0, 0.5);
@@ -149,6 +152,8 @@ MaskSurface maskSurface(vtkAlgorithm* filter, const VoxelMask& mask,
     runStages(filter, { { contour, 1 } }, execution.between(0.6, 1));
   }
   execution.poll();
-  return read(smoothing.iterations > 0 ? smooth->GetOutput() : contour->GetOutput());
+  MaskSurface result = read(smoothing.iterations > 0 ? smooth->GetOutput() : contour->GetOutput());
+  result.mask = std::move(enclosed);
+  return result;
 }
 }

@@ -28,6 +28,7 @@ struct MaskSurface
 {
   std::vector<Point> points;       ///< in voxels, from the centre of the first one
   std::vector<Triangle> triangles; ///< counter-clockwise seen from outside
+  VoxelMask mask;                  ///< the voxels that the surface encloses
 };
 
 /// The smoothed surface of a mask, by VTK's filters.

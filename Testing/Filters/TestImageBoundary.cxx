@@ -194,6 +194,8 @@ TEST(ImageBoundary, ClosesACutSolidAndSaysSo)
   EXPECT_NE(log.messages()[0].find("(first k, last k)"), std::string::npos) << log.messages()[0];
   EXPECT_EQ(field(filter->GetOutput(), "CutVoxels", 3), 0);
   EXPECT_GT(field(filter->GetOutput(), "CutVoxels", 5), 90);
+  EXPECT_EQ(field(filter->GetOutput(), "WarningPlace", 2), 7); // at the first k
+  EXPECT_NEAR(field(filter->GetOutput(), "WarningPlace", 0), 3 + 9.5, 6);
   EXPECT_LT(filter->GetOutput()->GetBounds()[5], 7 + 20); // half a voxel beyond the last one
   filter->PadOff();
   filter->Update();
@@ -213,6 +215,8 @@ TEST(ImageBoundary, TellsWhatSmoothingCosts)
   EXPECT_EQ(betti(filter->GetOutput(), "BettiSegmentation"), (Betti{ 1, 2, 0 }));
   EXPECT_EQ(betti(filter->GetOutput(), "BettiBoundary"), (Betti{ 1, 1, 0 }));
   EXPECT_EQ(text(filter->GetOutput(), "WarningCode"), "smoothed_topology");
+  EXPECT_NEAR(field(filter->GetOutput(), "WarningPlace", 0), 3 + 10, 1); // on the rod
+  EXPECT_NEAR(field(filter->GetOutput(), "WarningPlace", 2), 7 + 10, 1);
   filter->SetGaussianRadius(0);
   filter->Update();
   EXPECT_EQ(betti(filter->GetOutput(), "BettiBoundary"), (Betti{ 1, 2, 0 }));

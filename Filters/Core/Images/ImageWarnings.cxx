@@ -10,7 +10,7 @@ namespace medial
 {
 namespace
 {
-Warning cutAtBorder(const std::array<Index, 6>& cut)
+Warning cutAtBorder(const std::array<Index, 6>& cut, const std::optional<Point>& place)
 {
   static const std::array<const char*, 6> names = { "first i", "last i", "first j", "last j",
     "first k", "last k" };
@@ -25,10 +25,11 @@ Warning cutAtBorder(const std::array<Index, 6>& cut)
     text("The solid reaches the border of the image (", sides, ") with ", voxels,
       " voxels. It is closed by flat faces there, as if it ended. Take an image that holds all of "
       "it if it doesn't."),
-    voxels, std::nullopt, false };
+    voxels, place, false };
 }
 
-Warning otherThanVoxels(const Betti& segmentation, const Betti& surface)
+Warning otherThanVoxels(
+  const Betti& segmentation, const Betti& surface, const std::optional<Point>& place)
 {
   return { "smoothed_topology",
     text("The voxels of the solid have ", inWords(segmentation), "; their smoothed surface has ",
@@ -36,21 +37,22 @@ Warning otherThanVoxels(const Betti& segmentation, const Betti& surface)
       ". Details of one or two voxels differ. All that follows is compared with the surface: "
       "smooth "
       "less, or take a finer image, if they matter."),
-    bettiDistance(segmentation, surface), std::nullopt, false };
+    bettiDistance(segmentation, surface), place, false };
 }
 }
 
-Warnings imageWarnings(
-  const Betti& segmentation, const Betti& surface, const std::array<Index, 6>& cut)
+Warnings imageWarnings(const Betti& segmentation, const Betti& surface,
+  const std::array<Index, 6>& cut, const std::optional<Point>& cutAt,
+  const std::optional<Point>& differsAt)
 {
   Warnings result;
   if (cut != std::array<Index, 6>{})
   {
-    result.push_back(cutAtBorder(cut));
+    result.push_back(cutAtBorder(cut, cutAt));
   }
   if (segmentation != surface)
   {
-    result.push_back(otherThanVoxels(segmentation, surface));
+    result.push_back(otherThanVoxels(segmentation, surface, differsAt));
   }
   return result;
 }

@@ -78,6 +78,27 @@ void dropPieces(
   }
   turn(mask, pieces, marked);
 }
+
+/// Calls body({ i, j, k }) for each voxel of the solid at the image's border.
+template <typename Body>
+void forBorderVoxels(const VoxelMask& mask, const Body& body)
+{
+  for (Index k = 0; k < mask.size[2]; ++k)
+  {
+    for (Index j = 0; j < mask.size[1]; ++j)
+    {
+      const bool isBorder = k == 0 || k + 1 == mask.size[2] || j == 0 || j + 1 == mask.size[1];
+      const Index step = isBorder ? 1 : std::max(mask.size[0] - 1, Index(1));
+      for (Index i = 0; i < mask.size[0]; i += step)
+      {
+        if (mask(i, j, k))
+        {
+          body(std::array<Index, 3>{ i, j, k });
+        }
+      }
+    }
+  }
+}
 }
 
 MaskRepairs repairMask(
@@ -118,24 +139,22 @@ VoxelMask padded(const VoxelMask& mask, Index margin)
 std::array<Index, 6> borderVoxels(const VoxelMask& mask)
 {
   std::array<Index, 6> result{};
-  const auto add = [&](int axis, Index at, Index i, Index j, Index k) {
-    result[2 * axis] += at == 0 && mask(i, j, k) ? 1 : 0;
-    result[2 * axis + 1] += at + 1 == mask.size[axis] && mask(i, j, k) ? 1 : 0;
-  };
-  for (Index k = 0; k < mask.size[2]; ++k)
-  {
-    for (Index j = 0; j < mask.size[1]; ++j)
+  forBorderVoxels(mask, [&](const std::array<Index, 3>& voxel) {
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const bool isBorder = k == 0 || k + 1 == mask.size[2] || j == 0 || j + 1 == mask.size[1];
-      const Index step = isBorder ? 1 : std::max(mask.size[0] - 1, Index(1));
-      for (Index i = 0; i < mask.size[0]; i += step)
-      {
-        add(0, i, i, j, k);
-        add(1, j, i, j, k);
-        add(2, k, i, j, k);
-      }
+      result[2 * axis] += voxel[axis] == 0 ? 1 : 0;
+      result[2 * axis + 1] += voxel[axis] + 1 == mask.size[axis] ? 1 : 0;
     }
-  }
+  });
+  return result;
+}
+
+std::optional<Point> firstBorderVoxel(const VoxelMask& mask)
+{
+  std::optional<Point> result;
+  forBorderVoxels(mask, [&](const std::array<Index, 3>& voxel) {
+    result = result.value_or(Point(voxel[0], voxel[1], voxel[2]));
+  });
   return result;
 }
 }

@@ -7,6 +7,8 @@
 #include "Images/MaskPieces.h"
 #include "Images/VoxelMask.h"
 
+#include <optional>
+
 namespace medial
 {
 struct MaskOptions
@@ -39,6 +41,9 @@ VoxelMask padded(const VoxelMask& mask, Index margin);
 
 /// How many voxels of the solid lie at the image's border, at the first and last of i, j and k in turn.
 std::array<Index, 6> borderVoxels(const VoxelMask& mask);
+
+/// The first of these voxels, as i, j and k.
+std::optional<Point> firstBorderVoxel(const VoxelMask& mask);
 }
 
 #endif

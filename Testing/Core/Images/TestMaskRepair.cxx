@@ -120,12 +120,13 @@ TEST(BorderVoxels, AreCountedOnEachSide)
 
 TEST(ImageWarnings, TellOfCutsAndOfSmoothing)
 {
-  EXPECT_TRUE(medial::imageWarnings({ 1, 2, 0 }, { 1, 2, 0 }, {}).empty());
-  const medial::Warnings both =
-    medial::imageWarnings({ 1, 12, 0 }, { 1, 8, 0 }, { 0, 0, 0, 0, 7, 8 });
+  EXPECT_TRUE(medial::imageWarnings({ 1, 2, 0 }, { 1, 2, 0 }, {}, {}, {}).empty());
+  const medial::Warnings both = medial::imageWarnings(
+    { 1, 12, 0 }, { 1, 8, 0 }, { 0, 0, 0, 0, 7, 8 }, medial::Point(1, 2, 3), {});
   ASSERT_EQ(both.size(), 2u);
   EXPECT_EQ(both[0].code, "cut_at_border");
   EXPECT_EQ(both[0].count, 15);
+  EXPECT_EQ(both[0].place, medial::Point(1, 2, 3));
   EXPECT_NE(both[0].text.find("(first k, last k)"), std::string::npos);
   EXPECT_EQ(both[1].code, "smoothed_topology");
   EXPECT_EQ(both[1].count, 4);
