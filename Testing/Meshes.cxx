@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Meshes.h"
 
+#include "Numbers.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -145,8 +147,9 @@ Mesh torus(double large, double small, int around, int across)
     for (int j = 0; j < across; ++j)
     {
       const double u = 2 * pi * i / around, v = 2 * pi * j / across;
-      const double r = large + small * std::cos(v);
-      result.points.emplace_back(r * std::cos(u), r * std::sin(u), small * std::sin(v));
+      const double r = large + small * shapes::cosine(v);
+      result.points.emplace_back(
+        r * shapes::cosine(u), r * shapes::sine(u), small * shapes::sine(v));
     }
   }
   const auto at = [=](int i, int j) { return i % around * across + j % across; };
@@ -169,8 +172,8 @@ Mesh sphere(double radius, int around)
     for (int j = 0; j < around; ++j)
     {
       const double u = pi * i / rings, v = 2 * pi * j / around;
-      result.points.emplace_back(radius * std::sin(u) * std::cos(v),
-        radius * std::sin(u) * std::sin(v), radius * std::cos(u));
+      result.points.emplace_back(radius * shapes::sine(u) * shapes::cosine(v),
+        radius * shapes::sine(u) * shapes::sine(v), radius * shapes::cosine(u));
     }
   }
   const Index top = medial::count(result.points), bottom = top + 1;
@@ -196,8 +199,8 @@ Mesh cylinder(double radius, double height, int around)
   for (int i = 0; i < around; ++i)
   {
     const double u = 2 * pi * i / around;
-    result.points.emplace_back(radius * std::cos(u), radius * std::sin(u), 0);
-    result.points.emplace_back(radius * std::cos(u), radius * std::sin(u), height);
+    result.points.emplace_back(radius * shapes::cosine(u), radius * shapes::sine(u), 0);
+    result.points.emplace_back(radius * shapes::cosine(u), radius * shapes::sine(u), height);
     floor.push_back(2 * (around - 1 - i));
     roof.push_back(2 * i + 1);
     const int next = (i + 1) % around;
@@ -211,7 +214,8 @@ Mesh cylinder(double radius, double height, int around)
 Mesh wedge(double degrees)
 {
   Mesh result;
-  const double rise = std::tan(degrees * pi / 180);
+  const double angle = degrees * pi / 180;
+  const double rise = shapes::sine(angle) / shapes::cosine(angle);
   result.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, rise, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
     { 1, rise, 1 } };
   append(result, { 2, 1, 0 });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PoissonDisk.h"
+#include "Numbers.h"
 #include "Shapes.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Geometry> // cross()
 
 #include <numeric>
 #include <utility>
@@ -46,11 +46,11 @@ std::vector<Point> rotated(std::vector<Point> points, unsigned seed, bool back)
   Random random(seed);
   const Point axis = direction(random);
   const double angle = uniform(random, 0.5, 2.5);
-  const Eigen::Matrix3d rotation =
-    Eigen::AngleAxisd(back ? -angle : angle, axis).toRotationMatrix();
+  const double along = cosine(angle), across = back ? -sine(angle) : sine(angle);
   for (Point& point : points)
   {
-    point = rotation * point;
+    const Point onAxis = dot(axis, point) * axis;
+    point = onAxis + along * (point - onAxis) + across * axis.cross(point);
   }
   return points;
 }

@@ -31,7 +31,7 @@ public:
       }
       for (const std::size_t other : found->second)
       {
-        if ((this->points[other] - point).norm() < this->spacing)
+        if (length(this->points[other] - point) < this->spacing)
         {
           return false;
         }
@@ -64,34 +64,6 @@ private:
   double spacing;
   std::map<Cube, std::vector<std::size_t>> cubes;
 };
-}
-
-// std::uniform_real_distribution differs between standard libraries; the samples shall not.
-double uniform(Random& random, double from, double to)
-{
-  return from + (to - from) * (static_cast<double>(random()) / 4294967296.0);
-}
-
-Point uniformInBox(Random& random, const Point& corner)
-{
-  Point result;
-  for (int k = 0; k < 3; ++k)
-  {
-    result[k] = uniform(random, -corner[k], corner[k]);
-  }
-  return result;
-}
-
-Point direction(Random& random)
-{
-  while (true)
-  {
-    const Point p = uniformInBox(random, Point(1, 1, 1));
-    if (p.norm() <= 1 && p.norm() > 0.1)
-    {
-      return p.normalized();
-    }
-  }
 }
 
 std::vector<Point> poissonDisk(

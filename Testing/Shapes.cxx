@@ -34,7 +34,7 @@ Draw surfaceOf(const Offset& solid)
     {
       const Point place = uniformInBox(random, corner);
       const Point foot = solid.axis(place);
-      const double distance = (place - foot).norm();
+      const double distance = length(place - foot);
       if (distance > 0.2 * solid.radius && distance < 2 * solid.radius)
       {
         return Point(foot + (solid.radius / distance) * (place - foot));
@@ -48,9 +48,9 @@ Draw tubeAbout(const std::function<Point(double)>& curve, double radius)
 {
   return [curve, radius](Random& random) {
     const double t = uniform(random, 0, 2 * pi);
-    const Point tangent = (curve(t + 1e-5) - curve(t - 1e-5)).normalized();
+    const Point tangent = unit(curve(t + 1e-5) - curve(t - 1e-5));
     const Point any = direction(random);
-    return Point(curve(t) + radius * (any - any.dot(tangent) * tangent).normalized());
+    return Point(curve(t) + radius * unit(any - dot(any, tangent) * tangent));
   };
 }
 
@@ -74,10 +74,10 @@ Shape offsetShape(const std::string& name, const Offset& solid, double spacing, 
 Projection circle(double radius, const Point& centre = Point::Zero())
 {
   return [=](const Point& p) {
-    const double x = p.x() - centre.x(), y = p.y() - centre.y();
-    const double length = std::hypot(x, y);
-    return length > 0 ? Point(centre + Point(x, y, 0) * (radius / length))
-                      : Point(centre + Point(radius, 0, 0));
+    const Point out(p.x() - centre.x(), p.y() - centre.y(), 0);
+    const double distance = length(out);
+    return distance > 0 ? Point(centre + out * (radius / distance))
+                        : Point(centre + Point(radius, 0, 0));
   };
 }
 
@@ -126,7 +126,7 @@ struct Plate
     const Point clamped(
       std::clamp(p.x(), -this->x, this->x), std::clamp(p.y(), -this->y, this->y), 0);
     const Point centre(p.x() < 0 ? -this->holeAt : this->holeAt, 0, 0);
-    const bool inHole = (clamped - centre).norm() < this->hole;
+    const bool inHole = length(clamped - centre) < this->hole;
     return inHole ? circle(this->hole, centre)(p) : clamped;
   }
 
@@ -200,18 +200,17 @@ Shape capsule(double spacing, unsigned seed)
 Shape knot(double spacing, unsigned seed)
 {
   const auto trefoil = [](double t) {
-    return Point(
-      std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t));
+    return Point(sine(t) + 2 * sine(2 * t), cosine(t) - 2 * cosine(2 * t), -sine(3 * t));
   };
   const double radius = 0.35;
   Shape shape = offsetShape("knot", { closedCurve(trefoil), radius, Point(3, 3, 1) }, spacing, seed,
     { 1, 1, 0 }, tubeAbout(trefoil, radius));
-  double length = 0;
+  double around = 0;
   for (int i = 0; i < 10000; ++i)
   {
-    length += (trefoil(2 * pi * (i + 1) / 10000) - trefoil(2 * pi * i / 10000)).norm();
+    around += (trefoil(2 * pi * (i + 1) / 10000) - trefoil(2 * pi * i / 10000)).norm();
   }
-  shape.volume = pi * radius * radius * length;
+  shape.volume = pi * radius * radius * around;
   return shape;
 }
 
@@ -229,7 +228,7 @@ Shape twoHolePlate(double spacing, unsigned seed)
 Shape hollowSphere(double spacing, unsigned seed)
 {
   const Projection middle = [](const Point& p) {
-    return p.norm() > 0 ? Point(0.75 * p.normalized()) : Point(0.75, 0, 0);
+    return length(p) > 0 ? Point(0.75 * unit(p)) : Point(0.75, 0, 0);
   };
   Shape shape = offsetShape(
     "hollow sphere", { middle, 0.25, Point::Constant(0.75) }, spacing, seed, { 1, 0, 1 });
@@ -263,7 +262,7 @@ Shape head(double spacing, unsigned seed)
     /// Right in sign, and near 0.
     double outside(const Point& p) const
     {
-      const double level = (p - this->centre).cwiseQuotient(this->half).norm();
+      const double level = length((p - this->centre).cwiseQuotient(this->half));
       return (level - 1) * this->half.minCoeff();
     }
   };

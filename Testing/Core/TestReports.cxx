@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No stretch of work grows with the input: stages report the more often, the more there is to do. With
 // argument --gtest_also_run_disabled_tests the longest stretches of a large input are printed.
+#include "Numbers.h"
 #include "Pipelines.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,6 @@
 #include <cstddef>
 #include <functional>
 #include <iostream>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,9 +52,8 @@ std::vector<std::size_t> reportsOfStages(const std::vector<Point>& samples)
 /// Samples of a torus with bumps, in no pattern.
 std::vector<Point> bumpyTorus(double spacing)
 {
-  std::mt19937 random(1);
-  const auto any = [&random] { return random() / 4294967296.0; };
-  const double turn = 2 * std::acos(-1.0);
+  shapes::Random random(1);
+  constexpr double turn = 2 * 3.14159265358979323846;
   const int around = static_cast<int>(2 * turn / spacing);
   const int across = static_cast<int>(0.7 * turn / spacing);
   std::vector<Point> result;
@@ -62,10 +61,11 @@ std::vector<Point> bumpyTorus(double spacing)
   {
     for (int k = 0; k < across; ++k)
     {
-      const double u = turn * (i + any()) / around, v = turn * (k + any()) / across;
-      const double r = 0.7 * (1 + 0.02 * std::sin(7 * u) * std::cos(5 * v));
-      const double width = 2 + r * std::cos(v);
-      result.emplace_back(width * std::cos(u), width * std::sin(u), r * std::sin(v));
+      const double u = turn * shapes::uniform(random, i, i + 1) / around;
+      const double v = turn * shapes::uniform(random, k, k + 1) / across;
+      const double r = 0.7 * (1 + 0.02 * shapes::sine(7 * u) * shapes::cosine(5 * v));
+      const double width = 2 + r * shapes::cosine(v);
+      result.emplace_back(width * shapes::cosine(u), width * shapes::sine(u), r * shapes::sine(v));
     }
   }
   return result;

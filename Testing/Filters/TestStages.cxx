@@ -318,7 +318,7 @@ TEST_P(Stages, NameAnArrayOfTheUsersThatIsTooShort)
 void damage(vtkPointSet* data, const Stage& stage, std::mt19937& random)
 {
   const auto below = [&random](vtkIdType end) {
-    return std::uniform_int_distribution<vtkIdType>(0, std::max<vtkIdType>(end - 1, 0))(random);
+    return static_cast<vtkIdType>(random() % std::max<vtkIdType>(end, 1));
   };
   const std::vector<Needed>& names = needed(stage);
   const Needed& array = names[below(static_cast<vtkIdType>(names.size()))];
@@ -335,8 +335,8 @@ void damage(vtkPointSet* data, const Stage& stage, std::mt19937& random)
   auto* surface = vtkPolyData::SafeDownCast(data);
   vtkCellArray* cells = grid ? grid->GetCells() : surface->GetPolys();
   vtkDataArray* corners = cells->GetConnectivityArray();
-  corners->SetComponent(below(corners->GetNumberOfTuples()), 0,
-    static_cast<double>(below(data->GetNumberOfPoints() + 1)));
+  const vtkIdType corner = below(corners->GetNumberOfTuples());
+  corners->SetComponent(corner, 0, static_cast<double>(below(data->GetNumberOfPoints() + 1)));
 }
 
 TEST_P(Stages, SurviveDamage)

@@ -8,6 +8,7 @@
 // VTK complaining itself, an error with an output, or an output without an error that makes no sense; see
 // StageChain.h for what does. Each fault is printed with its seed: --seed S --count 1 --verbose shows it.
 #include "Mutations.h"
+#include "Numbers.h"
 #include "Shapes.h"
 #include "StageChain.h"
 
@@ -85,7 +86,7 @@ std::vector<medial::Point> rings()
     for (int k = 0; k < 8; ++k)
     {
       const double angle = (k + 0.5 * (ring % 2)) * pi / 4;
-      result.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.2 * ring);
+      result.emplace_back(radius * shapes::cosine(angle), radius * shapes::sine(angle), 0.2 * ring);
     }
   }
   return result;

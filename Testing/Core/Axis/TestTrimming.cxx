@@ -2,12 +2,12 @@
 #include "Axis/Trimming.h"
 #include "Base/DisjointSets.h"
 #include "Complexes.h"
+#include "Numbers.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
-#include <random>
 
 using complexes::Drawing;
 using medial::Edge;
@@ -121,12 +121,11 @@ TEST(Trimming, KeepsTheBettiNumbersOfRandomComplexes)
   for (unsigned seed = 500; seed < 1100; ++seed)
   {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> place(-1, 1);
+    shapes::Random random(seed);
     std::vector<Point> sites;
     for (int i = 0; i < 6; ++i)
     {
-      sites.push_back(Point(place(random), place(random), place(random)));
+      sites.push_back(shapes::uniformInBox(random, Point::Ones()));
     }
     Drawn d = drawn(complexes::randomComplex(seed), sites, [&](const Triangle&) {
       return Edge{ static_cast<Index>(random() % 6), static_cast<Index>(random() % 6) };

@@ -67,7 +67,8 @@ std::vector<Point> noisy(std::vector<Point> points, double amplitude, unsigned s
   shapes::Random random(seed);
   for (Point& point : points)
   {
-    point += shapes::direction(random) * shapes::uniform(random, 0, amplitude);
+    const double distance = shapes::uniform(random, 0, amplitude);
+    point += distance * shapes::direction(random);
   }
   return points;
 }

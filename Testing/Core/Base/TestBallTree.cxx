@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/BallTree.h"
 
+#include "Numbers.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -57,10 +58,7 @@ double protrusionByLoop(
 class Source
 {
 public:
-  double number(double low, double high)
-  {
-    return std::uniform_real_distribution<double>(low, high)(this->engine);
-  }
+  double number(double low, double high) { return shapes::uniform(this->engine, low, high); }
   Point point(double size)
   {
     return { this->number(-size, size), this->number(-size, size), this->number(-size, size) };
@@ -68,7 +66,7 @@ public:
   Point gridPoint(int size) { return this->point(size + 0.5).array().round(); }
 
 private:
-  std::mt19937 engine{ seed };
+  shapes::Random engine{ seed };
 };
 
 /// Balls and queries that `make(source)` gives, one after another.

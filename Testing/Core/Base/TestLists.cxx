@@ -54,7 +54,8 @@ TEST(Lists, ByKeyHoldTheItemsInTheirOrder)
   std::map<Index, std::vector<std::string>> expected;
   for (int i = 0; i < 500; ++i)
   {
-    entries.emplace_back(random() % 7, std::to_string(random() % 50));
+    const Index key = random() % 7;
+    entries.emplace_back(key, std::to_string(random() % 50));
     expected[entries.back().first].push_back(entries.back().second);
   }
   const Lists<std::string> lists = listsByKey<std::string>(9, [&entries](const auto& add) {

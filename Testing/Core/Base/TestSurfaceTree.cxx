@@ -2,6 +2,7 @@
 #include "Base/SurfaceTree.h"
 
 #include "Meshes.h"
+#include "Numbers.h"
 
 #include <Eigen/Geometry>
 
@@ -9,7 +10,6 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 namespace
 {
@@ -25,15 +25,10 @@ constexpr unsigned seed = 3;
 class Source
 {
 public:
-  Point point(double size)
-  {
-    std::uniform_real_distribution<double> number(-size, size);
-    const double x = number(this->engine), y = number(this->engine);
-    return { x, y, number(this->engine) };
-  }
+  Point point(double size) { return shapes::uniformInBox(this->engine, Point::Constant(size)); }
 
 private:
-  std::mt19937 engine{ seed };
+  shapes::Random engine{ seed };
 };
 
 SurfaceTree treeOf(const Mesh& mesh)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Numbers.h"
 #include "Pipelines.h"
 
 #include "Parts/BettiNumbers.h"
@@ -198,9 +199,9 @@ TEST(Necks, KeepPruningExact)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     MedialAxis axis = complexes::randomComplex(seed).axis();
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> radius(0.01, 1);
-    std::generate(axis.radii.begin(), axis.radii.end(), [&] { return radius(random); });
+    shapes::Random random(seed);
+    std::generate(
+      axis.radii.begin(), axis.radii.end(), [&] { return shapes::uniform(random, 0.01, 1); });
     expectExact(axis);
   }
   expectExact(pipelines::of("two-hole plate").axis());

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Parts/Thresholds.h"
 
+#include "Numbers.h"
+#include "Shapes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 using medial::RankedPart;
 using medial::suggestedThreshold;
@@ -54,18 +56,22 @@ TEST(Thresholds, AreZeroWhereNothingStandsOut)
 
 TEST(Thresholds, FollowTheUnitToTheLastBitAndNotTheOrder)
 {
-  std::mt19937 random(5);
+  shapes::Random random(5);
   RecordProperty("seed", 5);
-  std::lognormal_distribution<double> significance(0, 2);
   std::vector<RankedPart> some;
   for (int i = 0; i < 100; ++i)
   {
-    some.push_back({ significance(random), 0.001 });
+    const double significance = std::ldexp(shapes::uniform(random, 1, 2), i % 12 - 6);
+    some.push_back({ significance, 0.001 });
   }
   const double threshold = suggestedThreshold(some);
   EXPECT_GT(threshold, 0);
-  std::shuffle(some.begin(), some.end(), random);
-  EXPECT_EQ(suggestedThreshold(some), threshold);
+  std::vector<RankedPart> shuffled;
+  for (const medial::Index i : shapes::shuffledOrder(some.size(), 5))
+  {
+    shuffled.push_back(some[i]);
+  }
+  EXPECT_EQ(suggestedThreshold(shuffled), threshold);
   for (RankedPart& part : some)
   {
     part.significance = std::ldexp(part.significance, 21);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Numbers.h"
 #include "PruningTest.h"
 
 #include "Parts/Thresholds.h"
 
 #include <cmath>
-#include <random>
 #include <vector>
 
 using medial::Measure;
@@ -54,12 +54,11 @@ TEST(Pruning, AutomaticallyStopsWhereTheDropFlattens)
   forEachShape([&](Pipeline& p) { expectFlattening(medial::prune(p.axis(), automatic).history); });
 
   RecordProperty("seed", 7);
-  std::mt19937 random(7);
-  std::normal_distribution<double> noise(0, 0.02);
+  shapes::Random random(7);
   std::vector<Point> samples = shapes::ellipsoid(0.08).samples;
   for (Point& p : samples)
   {
-    p += Point(noise(random), noise(random), noise(random));
+    p += shapes::normalPoint(random, 0.02);
   }
   const Pruned pruned = medial::prune(medial::medialAxis(medial::polarBalls(samples)), automatic);
   expectFlattening(pruned.history);

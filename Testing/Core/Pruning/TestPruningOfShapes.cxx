@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Numbers.h"
 #include "PruningTest.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -45,12 +45,11 @@ TEST(Pruning, TakesNoiseAndLeavesTheShape)
   // Paper Figure 11: noise on a part of the object, here on one half of an ellipsoid.
   shapes::Shape shape = shapes::ellipsoid(0.08);
   RecordProperty("seed", 11);
-  std::mt19937 random(11);
-  std::normal_distribution<double> noise(0, 0.7 * shape.spacing);
+  shapes::Random random(11);
   for (Point& sample : shape.samples)
   {
-    const Point normal = Point(sample.x() / 9, sample.y() / 4, sample.z()).normalized();
-    sample += (sample.x() > 0 ? noise(random) : 0) * normal;
+    const Point normal = shapes::unit(Point(sample.x() / 9, sample.y() / 4, sample.z()));
+    sample += (sample.x() > 0 ? shapes::normal(random, 0.7 * shape.spacing) : 0) * normal;
   }
   Pipeline p(shape);
   ASSERT_EQ(p.axis().betti, shape.betti);

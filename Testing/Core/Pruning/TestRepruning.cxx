@@ -38,7 +38,8 @@ TEST(Pruning, AgainIsAsForTheFirstTime)
           std::min(random() % 4 * 0.6, medial::largestThreshold(traits.unit));
         options.schedule.push_back({ traits.measure, threshold, static_cast<int>(random() % 3) });
       }
-      options.cellsToRemove.assign(random() % 2, static_cast<Index>(random() % axis.cells.size()));
+      const unsigned removed = random() % 2;
+      options.cellsToRemove.assign(removed, static_cast<Index>(random() % axis.cells.size()));
       options.verifyTopology = axis.cells.size() < 1000 && random() % 4 == 0;
       EXPECT_EQ(pipelines::bytesOf(medial::prune(prunable, options)),
         pipelines::bytesOf(medial::prune(axis, options)));

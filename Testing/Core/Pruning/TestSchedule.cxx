@@ -93,7 +93,10 @@ TEST(Schedule, IsTheSameAfterItWasWrittenAndRead)
   const unsigned seed = 17;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   std::mt19937 random(seed);
-  const auto any = [&random] { return std::ldexp(random() / 4294967296.0, random() % 60 - 30); };
+  const auto any = [&random] {
+    const double number = random() / 4294967296.0;
+    return std::ldexp(number, static_cast<int>(random() % 60) - 30);
+  };
   Schedule schedule;
   for (int i = 0; i < 2000; ++i)
   {

@@ -3,13 +3,14 @@
 
 #include "Executions.h"
 #include "Meshes.h"
+#include "Numbers.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
+#include <numeric>
 #include <vector>
 
 namespace
@@ -39,14 +40,16 @@ struct Surface
 /// Many places on the surface, by area.
 std::vector<Point> places(const Surface& surface, int howMany)
 {
-  std::mt19937 engine(11);
-  std::discrete_distribution<Index> triangle(surface.set.areas.begin(), surface.set.areas.end());
-  std::uniform_real_distribution<double> number(0, 1);
+  shapes::Random random(11);
+  std::vector<double> sums(surface.set.areas.size());
+  std::partial_sum(surface.set.areas.begin(), surface.set.areas.end(), sums.begin());
   std::vector<Point> result;
   for (int i = 0; i < howMany; ++i)
   {
-    const Triangle& t = surface.triangles[triangle(engine)];
-    double u = number(engine), v = number(engine);
+    const double area = shapes::uniform(random, 0, sums.back());
+    const auto found = std::upper_bound(sums.begin(), sums.end(), area);
+    const Triangle& t = surface.triangles[found - sums.begin()];
+    double u = shapes::uniform(random, 0, 1), v = shapes::uniform(random, 0, 1);
     u = u + v > 1 ? 1 - u : u;
     v = std::min(v, 1 - u);
     const Point& a = surface.points[t[0]];

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/SpacingField.h"
 
+#include "Numbers.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace
@@ -24,14 +25,13 @@ struct Given
 
 Given given()
 {
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> number(0, 1);
+  shapes::Random random(seed);
   Given result;
   for (int i = 0; i < 2000; ++i)
   {
-    const double x = number(engine);
-    result.points.emplace_back(x, number(engine), 0);
-    result.spacings.push_back(i % 400 == 0 ? 0.002 : 0.5 + number(engine));
+    const double x = shapes::uniform(random, 0, 1);
+    result.points.emplace_back(x, shapes::uniform(random, 0, 1), 0);
+    result.spacings.push_back(i % 400 == 0 ? 0.002 : shapes::uniform(random, 0.5, 1.5));
   }
   return result;
 }
@@ -60,7 +60,7 @@ TEST(SpacingField, GrowsSlowlyOnTheSurface)
   SCOPED_TRACE(testing::Message() << "seed " << seed);
   const Given all = given();
   const SpacingField field(0.3, all.points, all.spacings);
-  std::mt19937 engine(seed);
+  shapes::Random engine(seed);
   for (int i = 0; i < 2000; ++i)
   {
     const Point &a = all.points[engine() % 2000], &b = all.points[engine() % 2000];
