@@ -75,7 +75,7 @@ Point FreePlaces::freeNear(const Point& place) const
         const bool onSide = std::abs(i) == reach || std::abs(j) == reach;
         for (int k = -reach; k <= reach; k += onSide ? 1 : 2 * reach)
         {
-          const Point node = place + coincident * Point(i, j, k);
+          Point node = place + coincident * Point(i, j, k);
           if (this->isFree(node))
           {
             return node;

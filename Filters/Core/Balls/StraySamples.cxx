@@ -39,7 +39,7 @@ bool isOneSided(const SampleEvidence& evidence, Index s)
 }
 
 /// A kind of samples that are on no surface.
-struct Kind
+struct StrayKind
 {
   const char* code;
   std::function<bool(Index)> isMeant;
@@ -48,7 +48,7 @@ struct Kind
   const char* text;  ///< after the number of samples
 };
 
-void append(const SampleEvidence& evidence, const Kind& kind, Warnings& warnings)
+void append(const SampleEvidence& evidence, const StrayKind& kind, Warnings& warnings)
 {
   const auto all = static_cast<double>(evidence.points.size());
   Warning warning;
@@ -84,7 +84,7 @@ Warnings straySamples(const SampleEvidence& evidence, const std::vector<Index>& 
   const auto isIsolated = [&](Index s) { // where the surface doesn't pass, by less
     return loneliness(s) > (isOnNoBoundary(evidence, s) ? 1.5 : 3);
   };
-  const std::vector<Kind> kinds{
+  const std::vector<StrayKind> kinds{
     { "interior_samples",
       [&](Index s) { return reach(evidence, s) < 1.2 && evidence.spacings[s] > 1.5 * usual; }, 0,
       0.003, // a single one makes a small pit at most
@@ -107,7 +107,7 @@ Warnings straySamples(const SampleEvidence& evidence, const std::vector<Index>& 
       "duplicates." },
   };
   Warnings result;
-  for (const Kind& kind : kinds)
+  for (const StrayKind& kind : kinds)
   {
     append(evidence, kind, result);
   }

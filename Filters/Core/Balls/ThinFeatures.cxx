@@ -57,7 +57,7 @@ bool decidesTopology(const SampleEvidence& evidence, Side side, const Betti& bet
   return votes > 0;
 }
 
-struct Kind
+struct ThinKind
 {
   const char* code;
   const char* seen; ///< after the number of balls
@@ -65,7 +65,7 @@ struct Kind
   bool doubtsSolid;
 };
 
-Warning about(const SampleEvidence& evidence, const Kind& kind)
+Warning about(const SampleEvidence& evidence, const ThinKind& kind)
 {
   Warning result;
   Index smallest = None;
@@ -89,7 +89,7 @@ Warning about(const SampleEvidence& evidence, const Kind& kind)
 
 Warnings thinFeatures(const SampleEvidence& evidence, const Betti& betti)
 {
-  const std::array<Kind, 2> kinds{ {
+  const std::array<ThinKind, 2> kinds{ {
     { "thin_parts",
       " balls inside are as small as the sample spacing, and pieces and tunnels depend on them. "
       "Sample thin parts more densely: at least four samples across.",
@@ -100,7 +100,7 @@ Warnings thinFeatures(const SampleEvidence& evidence, const Betti& betti)
       Side::Outer, false },
   } };
   Warnings result;
-  for (const Kind& kind : kinds)
+  for (const ThinKind& kind : kinds)
   {
     if (decidesTopology(evidence, kind.side, betti))
     {

@@ -89,6 +89,7 @@ private:
       ids.insert(ids.end(), region.needed.begin(), region.needed.end());
     }
     std::vector<Ball> balls;
+    balls.reserve(ids.size());
     for (const Index id : ids)
     {
       balls.push_back(this->all.balls[id]);
