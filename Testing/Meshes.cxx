@@ -214,8 +214,7 @@ Mesh cylinder(double radius, double height, int around)
 Mesh wedge(double degrees)
 {
   Mesh result;
-  const double angle = degrees * pi / 180;
-  const double rise = shapes::sine(angle) / shapes::cosine(angle);
+  const double rise = std::tan(degrees * pi / 180);
   result.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, rise, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
     { 1, rise, 1 } };
   append(result, { 2, 1, 0 });
