@@ -94,7 +94,7 @@ def write(rows):
     """Puts rows, by their regions, into the table; keeps its other rows."""
     before, _, rest = README.read_text().partition(BEGIN)
     table, _, after = rest.partition(END)
-    old = {line.split("|")[1].strip(): line for line in table.splitlines(keepends=True)}
+    old = {line.split("|")[1].strip(): line for line in table.splitlines(keepends=True) if line.startswith("|")}
     lines = [rows.get(name) or old.get(name, "") for name in REGIONS]
     README.write_text(before + BEGIN + "\n" + HEADER + "".join(lines) + "\n" + END + after)
 
