@@ -8,6 +8,7 @@ Small solids are written in all formats and damaged: cut, bytes and lines change
 of meshes are the samples (--points), since sampling triangles takes long. Each run must end within 10 s of work
 with exit 0, 2 or 3, however busy the machine is. After exit 2 there is one line that says why. After exit 0 the
 surface is closed and encloses a volume. Files that fail are kept, with the seed of each in its name.
+With --sanitized, the program is built with AddressSanitizer: it may take five times as long and any memory.
 """
 
 import argparse
@@ -246,10 +247,13 @@ def surface_fault(folder):
     return None if volume > 0 else "no volume"
 
 
-def limit():
-    """For a child: no more memory and work than this."""
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CPU, (LONGEST, LONGEST))
+def limit(sanitized):
+    """For a child: no more memory and work than this. AddressSanitizer reserves all addresses there are."""
+    if sanitized:
+        resource.setrlimit(resource.RLIMIT_CPU, (5 * LONGEST, 5 * LONGEST))
+    else:
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        resource.setrlimit(resource.RLIMIT_CPU, (LONGEST, LONGEST))
 
 
 def work():
@@ -258,22 +262,23 @@ def work():
     return usage.ru_utime + usage.ru_stime
 
 
-def run(program, file, folder):
+def run(program, file, folder, sanitized):
     """Runs the program; returns what happened and whether it is a fault."""
-    begin = work()
+    begin, longest = work(), 5 * LONGEST if sanitized else LONGEST
     try:
         done = subprocess.run(
             [program, file, "--output", folder, "--quiet", "--strict", "--threads", "1", "--points"],
             stdin=subprocess.DEVNULL, capture_output=True, timeout=HANGING, check=False,
-            preexec_fn=limit)
+            preexec_fn=lambda: limit(sanitized))
     except subprocess.TimeoutExpired:
         return "hangs", True
-    if done.returncode < 0 and work() - begin > LONGEST - 0.5:
-        return "longer than %d s" % LONGEST, True
+    if done.returncode < 0 and work() - begin > longest - 0.5:
+        return "longer than %d s" % longest, True
     if done.returncode not in (0, 2, 3):
+        sys.stdout.write(done.stderr.decode(errors="replace"))
         return "exit %d" % done.returncode, True
     if done.returncode == 2:
-        if work() - begin > LONGEST / 2:
+        if work() - begin > longest / 2:
             return "slow to refuse", True
         if done.stderr.count(b"\n") != 1 or not done.stderr.startswith(b"SimplifyShape: "):
             return "exit 2 without one line", True
@@ -294,6 +299,7 @@ def main():
     parser.add_argument("--count", type=int, default=500, help="runs (default: 500)")
     parser.add_argument("--seed", type=int, default=1, help="of the first run; the next has the next")
     parser.add_argument("--keep", default="fuzz-inputs", help="folder for the files that fail")
+    parser.add_argument("--sanitized", action="store_true", help="the program has AddressSanitizer")
     parser.add_argument("--formats", default="", help="only these, as in .vtp,.vtu")
     options = parser.parse_args()
     program = os.path.abspath(options.program)
@@ -304,7 +310,7 @@ def main():
             file, out = os.path.join(folder, "input" + extension), os.path.join(folder, "out")
             with open(file, "wb") as stream:
                 stream.write(data)
-            what, is_fault = run(program, file, out)
+            what, is_fault = run(program, file, out, options.sanitized)
             if is_fault or what == "exit 2":
                 sys.exit("A whole %s file fails: %s" % (extension, what))
         for seed in range(options.seed, options.seed + options.count):
@@ -312,7 +318,7 @@ def main():
             file, out = os.path.join(folder, "input" + extension), os.path.join(folder, "out")
             with open(file, "wb") as stream:
                 stream.write(data)
-            what, is_fault = run(program, file, out)
+            what, is_fault = run(program, file, out, options.sanitized)
             shutil.rmtree(out, ignore_errors=True)
             counts[extension, what] += 1
             if is_fault:
