@@ -35,14 +35,14 @@ IndexLists crowds(const std::vector<Point>& points, const std::vector<char>& use
     }
     const Point place = (points[p] / (width * distance)).array() + offset;
     const Point low = (place.array() - 1 / width).floor();
-    const Point high = (place.array() + 1 / width).floor();
-    for (double x = low.x(); x <= high.x(); ++x)
+    const Eigen::Vector3i more = ((place.array() + 1 / width).floor() - low.array()).cast<int>();
+    for (int i = 0; i <= more.x(); ++i)
     {
-      for (double y = low.y(); y <= high.y(); ++y)
+      for (int j = 0; j <= more.y(); ++j)
       {
-        for (double z = low.z(); z <= high.z(); ++z)
+        for (int k = 0; k <= more.z(); ++k)
         {
-          members.push_back({ nameOfCell(x, y, z), p });
+          members.push_back({ nameOfCell(low.x() + i, low.y() + j, low.z() + k), p });
         }
       }
     }

@@ -137,6 +137,7 @@ private:
     }
     std::sort(order.begin(), order.end());
     std::vector<Index> result;
+    result.reserve(order.size());
     for (const auto& item : order)
     {
       result.push_back(std::get<Index>(item));
