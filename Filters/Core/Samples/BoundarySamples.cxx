@@ -160,7 +160,6 @@ struct BoundarySampler::Implementation
   Probes probes;
   SpacingField field;
   double expected = 0; ///< samples
-  bool refined = false;
   Warnings warnings;
 };
 
@@ -191,11 +190,10 @@ BoundarySamples BoundarySampler::samples(const Execution& execution) const
 void BoundarySampler::refine(const std::vector<Point>& places, const Execution& execution)
 {
   Implementation& known = *this->implementation;
-  // A few spots, such as the end of an edge, become right that way; more of them in wedges don't.
+  // A few spots, such as the end of an edge, become right that way; many of them in wedges don't.
   constexpr double few = 0.005; // of the samples; a spot has about five places
-  const bool areSpots = !known.refined && count(places) <= few * known.expected;
-  known.refined = true;
-  if (!known.edges.empty() && !areSpots)
+  constexpr double always = 100;
+  if (!known.edges.empty() && count(places) > std::max(few * known.expected, always))
   {
     known.sampleWedgesAsWalls(execution);
   }

@@ -92,15 +92,15 @@ TEST(ProvenSamples, GiveTheTopologyOfThinWallsAndGaps)
   expectProven(twoBoxes(0.02), 0.1, { 2, 0, 0 }); // a hundredth of the diagonal
 }
 
-/// Without a round of refinement.
+/// After one round of refinement at most, in which few samples are added.
 TEST(ProvenSamples, GiveTheTopologyOfNarrowWedges)
 {
-  for (const double degrees : { 4.0, 10.0, 20.0, 30.0, 45.0 })
+  for (const double degrees : { 4.0, 9.99, 10.0, 10.01, 20.0, 30.0, 45.0 })
   {
     const Solid wedge(meshes::wedge(degrees));
     const ProvenSamples made = wedge.samples(withSpacing(0.04), 1);
-    EXPECT_EQ(made.rounds, 0) << degrees;
-    EXPECT_TRUE(made.warnings.empty()) << made.warnings.front().text;
+    EXPECT_TRUE(made.warnings.empty()) << degrees << " degrees: " << made.warnings.front().text;
+    EXPECT_LT(made.samples.points.size(), 3000) << degrees;
   }
 }
 
