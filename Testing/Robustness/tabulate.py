@@ -18,22 +18,15 @@ Testing/README.md; with patterns, such as 'reports/soup/*', only the rows of the
 is 1 where an outcome is not expected.
 """
 
-import csv
-import fnmatch
 import json
-import multiprocessing.pool
-import os
 import pathlib
 import resource
 import signal
 import subprocess
-import sys
 import tempfile
-import time
 
 import tables
 
-HERE = pathlib.Path(__file__).resolve().parent
 HEADER = "| file | what | right | outcome | why, or warnings | as expected |\n|---|---|---|---|---|---|\n"
 LIMIT = 600  # seconds of work for one file, however busy the machine is
 PATIENCE = 3600  # seconds, if it waits for ever
@@ -59,7 +52,7 @@ def run(program, path):
     if process.returncode not in (0, 3) or said is None:
         return "crashes", [], f"exit code {process.returncode}"
     codes = [warning["code"] for warning in said["warnings"]]
-    betti = " ".join(str(int(number)) for number in said["betti"]["crust"])
+    betti = tables.in_words(said["betti"]["crust"])
     if process.returncode == 0:
         return betti, codes, "; ".join(codes)
     # The one reason that names warnings says no more than they do.
@@ -78,35 +71,12 @@ def is_expected(outcome, codes, expected):
 
 
 def row(program, data, entry):
-    """A row of the table, whether it is as expected, and how long it took."""
-    begin = time.monotonic()
+    """A row of the table, and whether it is as expected."""
     outcome, codes, why = run(program, data / entry["file"])
     fine = is_expected(outcome, codes, entry["expected"])
     cells = [f"`{entry['file']}`", entry["what"], entry["expected"].replace("|", " or "), outcome,
              why.replace("|", "/"), "yes" if fine else "**no**"]
-    return "| " + " | ".join(cells) + " |\n", fine, time.monotonic() - begin
+    return "| " + " | ".join(cells) + " |\n", fine
 
 
-def main():
-    arguments = [word for word in sys.argv[1:] if word != "--write"]
-    if len(arguments) < 2:
-        sys.exit(__doc__)
-    program, data, *patterns = arguments
-    with open(HERE / "expectations.csv", newline="", encoding="utf-8") as file:
-        entries = list(csv.DictReader(file))
-    chosen = [entry for entry in entries
-              if not patterns or any(fnmatch.fnmatch(entry["file"], p) for p in patterns)]
-    rows, failures = {}, 0
-    with multiprocessing.pool.ThreadPool(os.cpu_count()) as pool:
-        outcomes = pool.imap(lambda entry: row(program, pathlib.Path(data), entry), chosen)
-        for entry, (line, fine, seconds) in zip(chosen, outcomes):
-            print(f"{seconds:6.1f} s {line}", end="", flush=True)
-            rows[entry["file"]] = line
-            failures += not fine
-    print(f"{len(rows) - failures} of {len(rows)} as expected")
-    if "--write" in sys.argv:
-        tables.write("hostile inputs", HEADER, rows, [entry["file"] for entry in entries])
-    sys.exit(failures > 0)
-
-
-main()
+tables.tabulate(__doc__, "hostile inputs", HEADER, "expectations.csv", row, "as expected")

@@ -18,14 +18,9 @@ Testing/README.md; with patterns, such as 'meshes/*', only their rows change. Th
 wrong is certified, or a mesh is not right and certified at all stages.
 """
 
-import csv
-import fnmatch
 import json
-import multiprocessing.pool
-import os
 import pathlib
 import subprocess
-import sys
 import tempfile
 
 import numpy as np
@@ -38,7 +33,6 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import tables
 
-HERE = pathlib.Path(__file__).resolve().parent
 HEADER = ("| file | right | samples | parts | power shape | axis | pruned | surface | verdict | distance 99 % | farthest "
           "| seconds | as points |\n|---|---|--:|--:|---|---|---|---|---|--:|--:|--:|---|\n")
 SHARP = 30  # degrees
@@ -116,10 +110,6 @@ def distances(mesh, folder):
     return np.array(result)
 
 
-def in_words(betti):
-    return " ".join(str(int(number)) for number in betti) if betti else "-"
-
-
 def row(program, data, entry):
     """A row of the table, and whether it is as it must be."""
     path, right = data / entry["file"], entry["right"]
@@ -130,13 +120,13 @@ def row(program, data, entry):
             return f"| `{entry['file']}` | {right} | refused: {report} " + "| " * 11 + "|\n", False
         run(program, path, pathlib.Path(folder, "unpruned"), "--schedule", "")
         far = distances(read(vtkPLYReader(), path), pathlib.Path(folder, "unpruned"))
-    stages = [in_words(report["betti"][stage]) for stage in STAGES]
+    stages = [tables.in_words(report["betti"][stage]) for stage in STAGES]
     verdict = report["verdict"]["name"] + (", fallback" if report["fallback"] else "")
     if isinstance(points, str):
         vertices, vertices_certified = "refused", False
     else:
         vertices_certified = points["verdict"]["name"] == "certified"
-        vertices = in_words(points["betti"]["crust"]) + ", " + points["verdict"]["name"]
+        vertices = tables.in_words(points["betti"]["crust"]) + ", " + points["verdict"]["name"]
     farthest, most = (far.max(), np.quantile(far, 0.99)) if len(far) else (0, 0)
     cells = [f"`{entry['file']}`", right, f"{report['samples']:,}", f"{report['parts']:,}", *stages, verdict,
              f"{most:.2f}", f"{farthest:.2f}", f"{report['seconds']['total']:.0f}", vertices]
@@ -144,25 +134,4 @@ def row(program, data, entry):
     return "| " + " | ".join(cells) + " |\n", fine and (not vertices_certified or vertices.startswith(right + ","))
 
 
-def main():
-    arguments = [word for word in sys.argv[1:] if word != "--write"]
-    if len(arguments) < 2:
-        sys.exit(__doc__)
-    program, data, *patterns = arguments
-    with open(HERE / "meshes.csv", newline="", encoding="utf-8") as file:
-        entries = list(csv.DictReader(file))
-    chosen = [entry for entry in entries
-              if not patterns or any(fnmatch.fnmatch(entry["file"], p) for p in patterns)]
-    rows, failures = {}, 0
-    with multiprocessing.pool.ThreadPool(os.cpu_count()) as pool:
-        for entry, (line, fine) in zip(chosen, pool.imap(lambda e: row(program, pathlib.Path(data), e), chosen)):
-            print(line, end="", flush=True)
-            rows[entry["file"]] = line
-            failures += not fine
-    print(f"{len(rows) - failures} of {len(rows)} right and certified")
-    if "--write" in sys.argv:
-        tables.write("meshes", HEADER, rows, [entry["file"] for entry in entries])
-    sys.exit(failures > 0)
-
-
-main()
+tables.tabulate(__doc__, "meshes", HEADER, "meshes.csv", row, "right and certified")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs SimplifyShape on the bone in a CT of a head, and says what came out, how long it took, and how much memory.
 
-    Testing/Scans/tabulate.py build/bin/SimplifyShape [--write] [--keep DIR] [NAME ...]
+    Testing/Robustness/tabulate_scans.py build/bin/SimplifyShape [--write] [--keep DIR] [NAME ...]
 
 The CT is Cranium.inv3 of Debian's package invesalius-examples, which must be installed. With names, only these
 regions run. They run one after the other, for half an hour in all. --write puts the table into
@@ -22,10 +22,10 @@ import tarfile
 import tempfile
 import time
 
+import tables
+
 SCAN = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3"
 BONE = 226  # Hounsfield units; from here on InVesalius takes bone
-README = pathlib.Path(__file__).resolve().parent.parent / "README.md"
-BEGIN, END = "<!-- table of scans: begin -->\n", "<!-- table of scans: end -->\n"
 HEADER = ("| region | voxels | segmentation | surface | power shape | axis | pruned | final | verdict | samples "
           "| parts | time | memory | warnings |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n")
 #            first and last + 1 along x (to the left), y (to the front), z (to the head)
@@ -66,10 +66,6 @@ def write_region(path, scan, region):
     return x1 - x0, y1 - y0, z1 - z0
 
 
-def numbers(betti):
-    return " ".join(str(int(number)) for number in betti) if betti else ""
-
-
 def row(program, folder, name, scan):
     """A row of the table; is it certified?"""
     image, output = folder / (name + ".mha"), folder / name
@@ -79,7 +75,7 @@ def row(program, folder, name, scan):
                    check=True)
     seconds = time.monotonic() - begin
     report = json.loads((output / "report.json").read_text())
-    betti = [numbers(report["betti"][stage])
+    betti = [tables.in_words(report["betti"][stage])
              for stage in ("segmentation", "solid", "powerShape", "axis", "pruned", "crust")]
     verdict = report["verdict"]
     cells = [name, "%d x %d x %d" % size, *betti,
@@ -88,15 +84,6 @@ def row(program, folder, name, scan):
              "%.1f GiB" % (report["peakMemoryMiB"] / 1024),
              "; ".join(warning["code"] for warning in report["warnings"])]
     return "| " + " | ".join(cells) + " |\n", verdict["name"] == "certified"
-
-
-def write(rows):
-    """Puts rows, by their regions, into the table; keeps its other rows."""
-    before, _, rest = README.read_text().partition(BEGIN)
-    table, _, after = rest.partition(END)
-    old = {line.split("|")[1].strip(): line for line in table.splitlines(keepends=True) if line.startswith("|")}
-    lines = [rows.get(name) or old.get(name, "") for name in REGIONS]
-    README.write_text(before + BEGIN + "\n" + HEADER + "".join(lines) + "\n" + END + after)
 
 
 def main():
@@ -116,7 +103,7 @@ def main():
             print(rows[name], end="", flush=True)
             failures += not fine
             if arguments.write:
-                write(rows)
+                tables.write("scans", HEADER, rows, REGIONS)
     sys.exit(failures > 0)
 
 
