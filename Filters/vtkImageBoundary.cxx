@@ -59,14 +59,9 @@ int vtkImageBoundary::RequestInformation(vtkInformation* vtkNotUsed(request),
   return 1;
 }
 
-/// Always all of the image.
 int vtkImageBoundary::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  int extent[6];
-  input->Get(Pipeline::WHOLE_EXTENT(), extent);
-  input->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
   return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 

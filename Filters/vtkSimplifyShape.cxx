@@ -19,7 +19,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnstructuredGrid.h"
@@ -229,12 +228,6 @@ int vtkSimplifyShape::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkSimplifyShape::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* input = inputVector[0]->GetInformationObject(0);
-  if (vtkImageData::GetData(input) && input->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
   return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 

@@ -12,6 +12,7 @@
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkErrorCode.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerVectorKey.h"
 #include "vtkInformationStringKey.h"
@@ -91,7 +92,7 @@ inline void restorePiece(vtkInformationVector* outputs)
   }
 }
 
-/// Asks every input for all of it as one piece: no stage can work on a part of the object. For another
+/// Asks every input for all of it as one piece, and for all voxels of an image: no stage can work on a part of the object. For another
 /// piece than the first, which is empty, the input is not needed: it is asked for the same piece.
 inline int requestWholeInputs(vtkAlgorithm* filter, vtkInformation* request,
   vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -110,6 +111,10 @@ inline int requestWholeInputs(vtkAlgorithm* filter, vtkInformation* request,
       input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
       input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
       input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      if (vtkImageData::GetData(input) && input->Has(Pipeline::WHOLE_EXTENT()))
+      {
+        input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+      }
     }
   }
   return 1;

@@ -65,6 +65,17 @@ double islands(double x, double y, double z)
   return (r > 0.5 && r < 0.8) || r < 0.2 || std::hypot(x - 0.85, y - 0.85, z) < 0.15 ? 1 : 0;
 }
 
+/// n^3 voxels, each of the solid by chance.
+/// @param share  of the voxels, in 256ths
+/// @param state  of the random numbers, goes on
+vtkSmartPointer<vtkImageData> randomImage(int n, unsigned share, unsigned& state)
+{
+  return image(n, [&](double, double, double) {
+    state = state * 1664525 + 1013904223;
+    return state >> 24 < share ? 1 : 0;
+  });
+}
+
 vtkSmartPointer<vtkImageBoundary> filterOf(vtkImageData* input)
 {
   auto result = vtkSmartPointer<vtkImageBoundary>::New();
@@ -244,12 +255,9 @@ TEST(ImageBoundary, DropsPiecesThatSmoothingTearsOff)
 TEST(ImageBoundary, IsClosedForRandomVoxels)
 {
   unsigned state = 1;
-  for (int run = 0; run < 30; ++run)
+  for (unsigned run = 0; run < 30; ++run)
   {
-    const auto filter = filterOf(image(8, [&](double, double, double) {
-      state = state * 1664525 + 1013904223;
-      return state >> 24 < 60U + 5 * static_cast<unsigned>(run) ? 1 : 0;
-    }));
+    const auto filter = filterOf(randomImage(8, 60 + 5 * run, state));
     const ErrorLog warnings(filter, vtkCommand::WarningEvent);
     filter->SetFillCavities(0);
     filter->SetMinimumPieceVoxels(1);
@@ -262,12 +270,9 @@ TEST(ImageBoundary, IsClosedForRandomVoxels)
 TEST(ImageBoundary, IsOnePieceOnRequestWhateverTheVoxels)
 {
   unsigned state = 5;
-  for (int run = 0; run < 30; ++run)
+  for (unsigned run = 0; run < 30; ++run)
   {
-    const auto filter = filterOf(image(12, [&](double, double, double) {
-      state = state * 1664525 + 1013904223;
-      return state >> 24 < 80U + 3 * static_cast<unsigned>(run) ? 1 : 0;
-    }));
+    const auto filter = filterOf(randomImage(12, 80 + 3 * run, state));
     const ErrorLog warnings(filter, vtkCommand::WarningEvent);
     filter->SetFillCavities(VTK_ID_MAX);
     filter->SetPiecesToLargest();

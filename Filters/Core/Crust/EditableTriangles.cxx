@@ -92,6 +92,19 @@ Index EditableTriangles::across(Index triangle, int corner)
   return both.size() == 2 ? both[both[0] == triangle ? 1 : 0] : None;
 }
 
+Index EditableTriangles::beyond(Index triangle, int corner)
+{
+  const Index other = this->across(triangle, corner);
+  if (other == None)
+  {
+    return None;
+  }
+  const Triangle &near = this->triangles[triangle], &far = this->triangles[other];
+  const Index a = near[(corner + 1) % 3], b = near[(corner + 2) % 3];
+  return *std::find_if(
+    far.begin(), far.end(), [&](Index point) { return point != a && point != b; });
+}
+
 Edge EditableTriangles::fewerFirst(const Edge& edge)
 {
   const std::size_t first = this->around(edge[0]).size(), second = this->around(edge[1]).size();
@@ -145,9 +158,7 @@ bool EditableTriangles::flip(Index triangle, int corner)
   const Index b = this->triangles[triangle][corner];
   const Index c = this->triangles[triangle][(corner + 1) % 3];
   const Index a = this->triangles[triangle][(corner + 2) % 3];
-  const Triangle& opposite = this->triangles[other];
-  const Index d = *std::find_if(
-    opposite.begin(), opposite.end(), [&](Index point) { return point != a && point != c; });
+  const Index d = this->beyond(triangle, corner);
   if (b == d || this->hasEdge(b, d))
   {
     return false;

@@ -33,6 +33,9 @@ public:
   /// exactly one.
   Index across(Index triangle, int corner);
 
+  /// The corner of that triangle which the edge doesn't have; None where there is no such triangle.
+  Index beyond(Index triangle, int corner);
+
   /// The edge with the end first that is better moved onto the other one, since it has fewer triangles.
   Edge fewerFirst(const Edge& edge);
 

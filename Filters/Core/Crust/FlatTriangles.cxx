@@ -110,15 +110,13 @@ private:
   /// diagonal?
   bool flipHelps(Index triangle, int corner)
   {
-    const Index other = this->edits.triangles().across(triangle, corner);
-    if (other == None)
+    const Index d = this->edits.triangles().beyond(triangle, corner);
+    if (d == None)
     {
       return false;
     }
-    const Triangle &t = this->triangles()[triangle], &opposite = this->triangles()[other];
+    const Triangle& t = this->triangles()[triangle];
     const Index b = t[corner], c = t[(corner + 1) % 3], a = t[(corner + 2) % 3];
-    const Index d = *std::find_if(
-      opposite.begin(), opposite.end(), [&](Index point) { return point != a && point != c; });
     return std::min(this->area(a, b, d), this->area(b, c, d)) >
       std::min(this->area(a, b, c), this->area(a, c, d));
   }
