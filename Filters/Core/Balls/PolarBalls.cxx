@@ -4,6 +4,7 @@
 #include "Balls/DelaunaySpheres.h"
 #include "Balls/DistinctSamples.h"
 #include "Balls/MarkedBetti.h"
+#include "Balls/NormalVotes.h"
 #include "Balls/Poles.h"
 #include "Balls/SampleDoubts.h"
 #include "Balls/Sides.h"
@@ -189,6 +190,40 @@ SampleDescription describeSamples(const DistinctSamples& distinct,
   return result;
 }
 
+struct DecidedSides
+{
+  std::vector<Side> ofBall;
+  Warnings warnings; ///< about normals
+};
+
+/// The sides by the samples' normals, or without.
+DecidedSides decidedSides(const SideInput& input, const std::vector<Point>& normals,
+  const DistinctSamples& distinct, const IndexLists& ballSamples, const Execution& execution)
+{
+  if (normals.empty())
+  {
+    return { sides(input, execution), {} };
+  }
+  const NormalVotes votes = normalVotes(normals, distinct, ballSamples, input);
+  DecidedSides result{ sides(input, execution, votes.ofBall), votes.warnings };
+  const Warnings more = normalWarnings(votes, distinct, input, result.ofBall);
+  result.warnings.insert(result.warnings.end(), more.begin(), more.end());
+  return result;
+}
+
+/// For each sample its two balls, or None.
+std::vector<std::array<Index, 2>> ballsOfPoles(
+  const std::vector<std::array<Index, 2>>& poles, const std::vector<Index>& ballOfCell)
+{
+  const auto ballOf = [&](Index pole) { return pole == None ? None : ballOfCell[pole]; };
+  std::vector<std::array<Index, 2>> result(poles.size());
+  std::transform(
+    poles.begin(), poles.end(), result.begin(), [&](const std::array<Index, 2>& pair) {
+      return std::array{ ballOf(pair[0]), ballOf(pair[1]) };
+    });
+  return result;
+}
+
 /// Lengths and volumes from the frame to the unit of the samples.
 void toWorld(const Frame& frame, PolarBalls& balls)
 {
@@ -207,14 +242,14 @@ void toWorld(const Frame& frame, PolarBalls& balls)
 }
 
 PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
-  const MergeOptions& options, const Execution& execution, const SurfaceTree* solid)
+  const MergeOptions& options, const Execution& execution, const SurfaceTree* solid,
+  const std::vector<Point>& normals)
 {
   const DistinctSamples distinct = distinctSamples(samples, options);
   requireVolume(distinct);
   const DelaunaySpheres spheres = delaunaySpheres(
     distinct.points, distinct.precision * distinct.frame.scale, execution.between(0, 0.2));
   const Poles polesOfSamples = poles(spheres);
-  const std::vector<std::array<Index, 2>>& poleClasses = polesOfSamples.ofSample;
   PolarBallsAndSamples made;
   PolarBalls& result = made.balls;
   result.samples = samples;
@@ -224,18 +259,15 @@ PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
   const std::vector<Edge> edges = edgeNumbers(mesh.cells, count(result.balls)).edges;
   result.cells = mesh.cells;
 
-  std::vector<std::array<Index, 2>> ballsOfSample(poleClasses.size());
-  for (std::size_t s = 0; s < poleClasses.size(); ++s)
-  {
-    for (int k = 0; k < 2; ++k)
-    {
-      ballsOfSample[s][k] = poleClasses[s][k] == None ? None : ballOfCell[poleClasses[s][k]];
-    }
-  }
+  const std::vector<std::array<Index, 2>> ballsOfSample =
+    ballsOfPoles(polesOfSamples.ofSample, ballOfCell);
   const SideInput evidence{ distinct.points, ballsOfSample, result.balls, result.touchesGuard,
     edges };
-  result.sides = solid ? sidesIn(*solid, distinct.frame, evidence, execution.between(0.8, 0.9))
-                       : sides(evidence, execution.between(0.8, 0.9));
+  const Execution labelling = execution.between(0.8, 0.9);
+  const DecidedSides decided = solid
+    ? DecidedSides{ sidesIn(*solid, distinct.frame, evidence, labelling), {} }
+    : decidedSides(evidence, normals, distinct, result.ballSamples, labelling);
+  result.sides = decided.ofBall;
   measureVolumes(spheres, ballOfCell, ballsOfSample, result, execution);
   assignBalls(distinct, ballsOfSample, result);
   made.samples = describeSamples(distinct, ballsOfSample, result.balls);
@@ -247,6 +279,8 @@ PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
       sampleDoubts({ samples, distinct, ballsOfSample, result.balls, result.sides,
                      result.ballSamples, mesh, edges, made.powerShape },
         execution.between(0.9, 1));
+    made.samples.warnings.insert(
+      made.samples.warnings.end(), decided.warnings.begin(), decided.warnings.end());
   }
   toWorld(distinct.frame, result);
   made.samples.mergeTolerance = distinct.tolerance;

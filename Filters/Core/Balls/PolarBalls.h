@@ -67,12 +67,14 @@ struct PolarBallsAndSamples
 /// @param options  which points count as repeated
 /// @param solid    the surface of the solid, if it is known: then it tells the sides, and nothing is
 ///                 doubted: the power shape's Betti numbers are to be compared with its own. Closed
+/// @param normals  of the surface at each sample, outwards, of any length; then they tell the sides, where
+///                 the solid doesn't, see normalVotes(). Empty: there are none
 /// @throw InvalidInput  fewer than 4 distinct points, all on a line or in a plane, or a coordinate
-///                      or an option that is not finite
+///                      or an option that is not finite; another number of normals than samples
 /// @throw Aborted
 PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
   const MergeOptions& options = {}, const Execution& execution = {},
-  const SurfaceTree* solid = nullptr);
+  const SurfaceTree* solid = nullptr, const std::vector<Point>& normals = {});
 
 /// The polar balls alone.
 PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execution = {});

@@ -11,7 +11,7 @@
 // The balls are the nodes of a graph. A link joins two balls that intersect (they have the same side,
 // with the strength of their intersection) or the two poles of a sample (they have opposite sides,
 // with the strength of the angle between them). Each ball carries a belief, 0 ... 1, in either side.
-// The balls that are surely outside start with 1.
+// The balls whose side is known start with 1.
 //
 // As in Dijkstra's algorithm, the most decided ball is taken from a queue, its side is fixed, and it
 // passes its belief times the strength of the link on to each neighbour, where the larger belief
@@ -88,15 +88,18 @@ struct Beliefs
   float priority(Index ball) const { return std::abs(this->of[ball][1] - this->of[ball][0]); }
 };
 
-/// Fixes the sides of the balls that chains of links connect with a ball that is surely outside.
-void spread(const Links& links, Beliefs& beliefs, std::vector<Side>& sides)
+/// Fixes the sides of the balls that chains of links connect with a ball whose side is known.
+/// @param known  for each ball: is its side known?
+void spread(const Links& links, const std::vector<char>& known, std::vector<Side>& sides)
 {
   using Entry = std::pair<float, Index>; // priority, and minus the ball: lowest first among equals
   std::priority_queue<Entry> queue;
+  Beliefs beliefs{ std::vector<std::array<float, 2>>(sides.size(), { 0, 0 }) };
   for (Index b = 0; b < count(sides); ++b)
   {
-    if (beliefs.of[b][0] > 0)
+    if (known[b])
     {
+      beliefs.of[b][static_cast<int>(sides[b])] = 1;
       queue.push({ beliefs.priority(b), -b });
     }
   }
@@ -112,8 +115,11 @@ void spread(const Links& links, Beliefs& beliefs, std::vector<Side>& sides)
       continue;
     }
     done[b] = 1;
-    const int side = beliefs.of[b][1] > beliefs.of[b][0] ? 1 : 0;
-    sides[b] = static_cast<Side>(side);
+    if (!known[b])
+    {
+      sides[b] = beliefs.of[b][1] > beliefs.of[b][0] ? Side::Inner : Side::Outer;
+    }
+    const int side = static_cast<int>(sides[b]);
     const float certainty = beliefs.of[b][side];
     for (const Link& link : links[b])
     {
@@ -142,20 +148,33 @@ void hideUnused(const std::vector<Edge>& edges, std::vector<Side>& sides)
 }
 }
 
-std::vector<Side> sides(const SideInput& input, const Execution& execution)
+std::vector<char> surelyOutside(const SideInput& input)
 {
-  std::vector<Side> result(input.balls.size(), Side::Outer);
-  Beliefs beliefs{ std::vector<std::array<float, 2>>(input.balls.size(), { 0, 0 }) };
-  // The samples cover the whole boundary, so a centre outside their bounding box is outside the solid.
   const Eigen::AlignedBox3d box = boundingBox(input.samples);
+  std::vector<char> result(input.balls.size());
   for (std::size_t b = 0; b < result.size(); ++b)
   {
-    const bool beyond = !box.contains(input.balls[b].center);
-    beliefs.of[b][0] = input.touchesGuard[b] || beyond ? 1 : 0;
+    result[b] = input.touchesGuard[b] || !box.contains(input.balls[b].center);
+  }
+  return result;
+}
+
+std::vector<Side> sides(
+  const SideInput& input, const Execution& execution, const std::vector<Index>& votes)
+{
+  std::vector<Side> result(input.balls.size(), Side::Outer);
+  std::vector<char> known = surelyOutside(input);
+  for (std::size_t b = 0; b < votes.size(); ++b)
+  {
+    if (!known[b] && votes[b] != 0)
+    {
+      known[b] = 1;
+      result[b] = votes[b] < 0 ? Side::Inner : Side::Outer;
+    }
   }
   const Links network = links(pairs(input), count(input.balls));
   execution.report(0.5);
-  spread(network, beliefs, result);
+  spread(network, known, result);
   hideUnused(input.edges, result);
   execution.report(1);
   return result;

@@ -21,13 +21,19 @@ struct SideInput
   const std::vector<Edge>& edges;        ///< of the balls' regular triangulation
 };
 
+/// For each ball: does it touch a guard, or is its centre outside the samples' bounding box? The samples
+/// cover the whole boundary, so such a ball is outside the solid.
+std::vector<char> surelyOutside(const SideInput& input);
+
 /// The side of each ball ([ACK01] section 4).
 ///
-/// Balls that touch a guard, or whose centre is outside the samples' bounding box, are outer. From
-/// them labels spread to the other balls, the most certain label first. Balls that intersect deeply
+/// Balls that are surely outside are outer; others are on the side that votes tell, if they do. From
+/// all these labels spread to the other balls, the most certain label first. Balls that intersect deeply
 /// are on the same side; the two poles of a sample are on opposite sides. A ball that no label
 /// reaches is outer. A ball in no cell is hidden.
-std::vector<Side> sides(const SideInput& input, const Execution& execution = {});
+/// @param votes  for each ball: positive outside, negative inside, 0 not known; or empty
+std::vector<Side> sides(const SideInput& input, const Execution& execution = {},
+  const std::vector<Index>& votes = {});
 
 /// The same where the surface of the solid is known: a ball is inner if its centre is inside.
 /// @param frame  of the balls; the surface is in world coordinates
