@@ -323,9 +323,10 @@ std::string usage()
 
   SimplifyShape INPUT [options]
 
-INPUT is a .ply .stl .obj .vtp .vtu .off or .xyz file. Polygons that bound a solid are sampled; of
-other files the points are taken as samples of the solid's closed boundary. Or it is an image, .vti
-.mha .mhd .nrrd .nii .nii.gz .dcm or a folder of DICOM files, which the solid in it is cut out of.
+INPUT is a .ply .stl .obj .vtp .vtu .off .xyz or .csv file. Polygons that bound a solid are sampled; of
+other files the points are taken as samples of the solid's closed boundary, and their normals tell
+what is inside. Or it is an image, .vti .mha .mhd .nrrd .nii .nii.gz .dcm or a folder of DICOM files,
+which the solid in it is cut out of.
 
 )" + helpOf(optionsOf(defaults)) +
     R"(

@@ -8,6 +8,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -22,7 +23,12 @@ class Polygons
 {
 public:
   /// @param type  of coordinates, VTK_FLOAT or VTK_DOUBLE: as the file has them
-  explicit Polygons(int type) { this->Points->SetDataType(type); }
+  explicit Polygons(int type)
+  {
+    this->Points->SetDataType(type);
+    this->Normals->SetName("Normals");
+    this->Normals->SetNumberOfComponents(3);
+  }
 
   vtkIdType addPoint(const std::array<double, 3>& point)
   {
@@ -42,6 +48,12 @@ public:
   /// The same of one coordinate.
   void noteWord(std::string_view word) { this->Unit.add(word); }
 
+  /// Adds the normal of the point that was added last; to be called for all points, or for none.
+  void addNormal(const std::array<double, 3>& normal)
+  {
+    this->Normals->InsertNextTuple(normal.data());
+  }
+
   vtkIdType points() const { return this->Points->GetNumberOfPoints(); }
 
   /// Begins a polygon.
@@ -60,12 +72,17 @@ public:
     }
   }
 
-  /// With the field array `SampleResolution` of vtkPolarBalls, where it is known.
+  /// With the point array `Normals`, and the field array `SampleResolution` of vtkPolarBalls, where they
+  /// are known.
   vtkSmartPointer<vtkPolyData> take()
   {
     auto result = vtkSmartPointer<vtkPolyData>::New();
     result->SetPoints(this->Points);
     result->SetPolys(this->Cells);
+    if (this->Normals->GetNumberOfTuples() > 0)
+    {
+      result->GetPointData()->SetNormals(this->Normals);
+    }
     if (this->Unit.value() > 0)
     {
       vtkNew<vtkDoubleArray> unit;
@@ -79,6 +96,7 @@ public:
 private:
   Resolution Unit;
   vtkNew<vtkPoints> Points;
+  vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkCellArray> Cells;
   std::vector<vtkIdType> Corners;
 };

@@ -199,41 +199,78 @@ void skip(const PlyProperty& property, Rows& rows)
   }
 }
 
-/// For each property of the vertices the coordinate it is, 0 to 2, or -1.
-std::vector<int> coordinatesOf(const std::string& file, const PlyElement& vertices)
+/// The number of a property that is one value, or the number of all properties where there is none.
+std::size_t placeOf(const PlyElement& vertices, const std::string& name)
 {
-  std::vector<int> result(vertices.properties.size(), -1);
+  const auto found = std::find_if(vertices.properties.begin(), vertices.properties.end(),
+    [&](const PlyProperty& property) { return property.name == name && !property.countType; });
+  return found - vertices.properties.begin();
+}
+
+using Names = std::array<const char*, 3>;
+
+/// For each property of the vertices which of three names it has, 0 to 2, or -1.
+std::vector<int> placesOf(const PlyElement& vertices, const Names& names)
+{
+  std::vector<int> result(vertices.properties.size() + 1, -1);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const std::string name(1, "xyz"[axis]);
-    const auto found = std::find_if(vertices.properties.begin(), vertices.properties.end(),
-      [&](const PlyProperty& property) { return property.name == name && !property.countType; });
-    if (found == vertices.properties.end())
-    {
-      throw InputError(file + ": its vertices have no " + name + "; they need x, y and z");
-    }
-    result[found - vertices.properties.begin()] = axis;
+    result[placeOf(vertices, names[axis])] = axis;
   }
+  result.pop_back();
   return result;
 }
 
-void readVertex(
-  const PlyElement& vertices, const std::vector<int>& coordinates, Rows& rows, Polygons& polygons)
+/// Where the properties of the vertices go.
+struct VertexPlaces
 {
-  std::array<double, 3> point = {};
-  for (std::size_t k = 0; k < coordinates.size(); ++k)
+  std::vector<int> coordinates; ///< for each property the coordinate it is, 0 to 2, or -1
+  std::vector<int> normals;     ///< the same of normals
+  bool hasNormals;
+};
+
+VertexPlaces vertexPlaces(const std::string& file, const PlyElement& vertices)
+{
+  const Names coordinates = { "x", "y", "z" }, normals = { "nx", "ny", "nz" };
+  const auto isMissing = [&](const char* name) {
+    return placeOf(vertices, name) == vertices.properties.size();
+  };
+  for (const char* name : coordinates)
   {
-    if (coordinates[k] < 0)
+    if (isMissing(name))
     {
-      skip(vertices.properties[k], rows);
+      throw InputError(file + ": its vertices have no " + name + "; they need x, y and z");
+    }
+  }
+  return { placesOf(vertices, coordinates), placesOf(vertices, normals),
+    std::none_of(normals.begin(), normals.end(), isMissing) };
+}
+
+void readVertex(
+  const PlyElement& vertices, const VertexPlaces& places, Rows& rows, Polygons& polygons)
+{
+  std::array<double, 3> point = {}, normal = {};
+  for (std::size_t k = 0; k < vertices.properties.size(); ++k)
+  {
+    if (places.coordinates[k] >= 0)
+    {
+      point[places.coordinates[k]] = rows.value(vertices.properties[k].type);
+      polygons.noteWord(rows.word());
+    }
+    else if (places.normals[k] >= 0)
+    {
+      normal[places.normals[k]] = rows.value(vertices.properties[k].type);
     }
     else
     {
-      point[coordinates[k]] = rows.value(vertices.properties[k].type);
-      polygons.noteWord(rows.word());
+      skip(vertices.properties[k], rows);
     }
   }
   polygons.addPoint(point);
+  if (places.hasNormals)
+  {
+    polygons.addNormal(normal);
+  }
 }
 
 void readFace(const PlyElement& faces, long long points, Rows& rows, Polygons& polygons)
@@ -265,7 +302,7 @@ void readFace(const PlyElement& faces, long long points, Rows& rows, Polygons& p
 void readElements(const std::string& file, const PlyHeader& header, Rows& rows, Polygons& polygons)
 {
   const PlyElement& vertices = *header.find("vertex");
-  const std::vector<int> coordinates = coordinatesOf(file, vertices);
+  const VertexPlaces places = vertexPlaces(file, vertices);
   for (const PlyElement& element : header.elements)
   {
     for (long long row = 0; row < element.count; ++row)
@@ -273,7 +310,7 @@ void readElements(const std::string& file, const PlyHeader& header, Rows& rows, 
       rows.begin(element, row);
       if (&element == &vertices)
       {
-        readVertex(element, coordinates, rows, polygons);
+        readVertex(element, places, rows, polygons);
       }
       else if (element.name == "face")
       {

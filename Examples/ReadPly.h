@@ -7,7 +7,8 @@
 
 #include <string>
 
-/// The points and polygons of a .ply file: x, y, z of its element vertex; the list vertex_indices or
+/// The points and polygons of a .ply file: x, y, z of its element vertex, and normals where it has all of
+/// nx, ny, nz; the list vertex_indices or
 /// vertex_index of its element face. ASCII and binary of either byte order; other elements and properties
 /// are checked and left out. Coordinates stay what they are: float where all three are binary floats,
 /// double otherwise.

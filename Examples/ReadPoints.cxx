@@ -10,8 +10,10 @@
 #include "ReadText.h"
 #include "ReadXml.h"
 
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
@@ -55,6 +57,7 @@ vtkSmartPointer<vtkPolyData> read(const std::string& file, const std::string& ex
     { ".vtu", readVtu },
     { ".off", readOff },
     { ".xyz", readXyz },
+    { ".csv", readXyz },
   };
   for (const auto& [name, reader] : readers)
   {
@@ -64,7 +67,7 @@ vtkSmartPointer<vtkPolyData> read(const std::string& file, const std::string& ex
     }
   }
   throw InputError(file + ": can't read '" + extension +
-    "' files; convert it to .ply .stl .obj .vtp .vtu .off or .xyz, an image to .vti .mha .nrrd "
+    "' files; convert it to .ply .stl .obj .vtp .vtu .off .xyz or .csv, an image to .vti .mha .nrrd "
     ".nii.gz or .dcm");
 }
 
@@ -79,17 +82,26 @@ bool isFinite(vtkPoints* points, vtkIdType i)
 vtkSmartPointer<vtkPolyData> finitePoints(vtkPolyData* data)
 {
   vtkPoints* points = data->GetPoints();
+  vtkDataArray* normals = data->GetPointData()->GetNormals();
   vtkNew<vtkPoints> finite;
   finite->SetDataType(points->GetDataType());
+  vtkNew<vtkDoubleArray> finiteNormals;
+  finiteNormals->SetName("Normals");
+  finiteNormals->SetNumberOfComponents(3);
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     if (isFinite(points, i))
     {
       finite->InsertNextPoint(points->GetPoint(i));
+      if (normals)
+      {
+        finiteNormals->InsertNextTuple(i, normals);
+      }
     }
   }
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->SetPoints(finite);
+  result->GetPointData()->SetNormals(normals ? finiteNormals.Get() : nullptr);
   result->GetFieldData()->PassData(data->GetFieldData());
   return result;
 }

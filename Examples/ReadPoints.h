@@ -10,14 +10,14 @@
 
 struct Input
 {
-  /// Points, and the polygons between them where no point was left out.
+  /// Points, their normals, and the polygons between them where no point was left out.
   vtkSmartPointer<vtkPolyData> samples;
   vtkSmartPointer<vtkImageData> image; ///< instead of samples, where the file has voxels
   vtkIdType invalid = 0;               ///< points left out, because a coordinate is NaN or infinite
 };
 
-/// The points of a .ply .stl .obj .vtp .vtu .off or .xyz file, and its polygons. These name existing points. Or
-/// the voxels of an image, see ReadImage.h.
+/// The points of a .ply .stl .obj .vtp .vtu .off .xyz or .csv file, its polygons, which name existing points, and
+/// its normals, where it has some. Or the voxels of an image, see ReadImage.h.
 ///
 /// @param series       of a folder of DICOM files, see DicomSeries.h
 /// @param dropInvalid  leave points with a coordinate that is NaN or infinite out

@@ -5,7 +5,11 @@
 #include "Polygons.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cmath>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -81,20 +85,73 @@ void takeFace(const Lines& lines, Polygons& polygons, long long points)
   polygons.end();
 }
 
-/// Does it name the columns x y z, as in: x y z, "X","Y","Z", //X Y Z?
-bool namesColumns(const Lines& lines)
+/// The names of columns, without quotes and in small letters, as in: x y z, "X","Y","Z", //X Y Z. Empty unless
+/// they begin with x y z.
+std::vector<std::string> columnNames(const Lines& lines)
 {
-  std::string names;
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, lines.words().size()); ++i)
+  std::vector<std::string> names;
+  for (const std::string_view word : lines.words())
   {
-    for (const char c : lines.words()[i])
+    std::string name;
+    for (const char c : word)
     {
-      const char small = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      names += c == '"' || c == '\'' || c == '/' ? std::string() : std::string(1, small);
+      const bool isQuote = c == '"' || c == '\'' || c == '/';
+      name += isQuote ? "" : std::string(1, std::tolower(static_cast<unsigned char>(c)));
+    }
+    names.push_back(name);
+  }
+  names.erase(std::remove(names.begin(), names.end(), ""), names.end());
+  const std::vector<std::string> needed = { "x", "y", "z" };
+  const bool areNamed =
+    names.size() >= needed.size() && std::equal(needed.begin(), needed.end(), names.begin());
+  return areNamed ? names : std::vector<std::string>();
+}
+
+/// Finds the normals among the columns of a text.
+class NormalColumns
+{
+public:
+  /// @param names  of the columns; empty where they have none
+  explicit NormalColumns(const std::vector<std::string>& names)
+    : AreNamed(!names.empty())
+  {
+    const std::vector<std::string> wanted = { "nx", "ny", "nz" };
+    const auto found = std::search(names.begin(), names.end(), wanted.begin(), wanted.end());
+    this->First = !this->AreNamed ? 3 : found == names.end() ? 0 : found - names.begin();
+  }
+
+  /// Takes the normal of a line, if it is one.
+  void read(const Lines& lines)
+  {
+    const std::size_t size = lines.words().size();
+    std::array<double, 3> normal = {};
+    bool isNormal = this->First > 0 && (this->AreNamed ? size >= this->First + 3 : size == 6);
+    for (std::size_t k = 0; isNormal && k < 3; ++k)
+    {
+      isNormal = parseReal(lines.words()[this->First + k], normal[k]);
+    }
+    // Colours don't have this length. Texts of two digits are that precise.
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    isNormal = isNormal && (this->AreNamed || std::abs(length - 1) < 0.01);
+    this->IsMissing = this->IsMissing || !isNormal;
+    if (!this->IsMissing)
+    {
+      this->Normals.push_back(normal);
     }
   }
-  return names == "xyz";
-}
+
+  /// Of all lines; empty if one had none.
+  std::vector<std::array<double, 3>> normals() const
+  {
+    return this->IsMissing ? std::vector<std::array<double, 3>>() : this->Normals;
+  }
+
+private:
+  bool AreNamed;
+  std::size_t First; ///< column of nx, 0 if there is none
+  bool IsMissing = false;
+  std::vector<std::array<double, 3>> Normals;
+};
 }
 
 vtkSmartPointer<vtkPolyData> readOff(const std::string& file)
@@ -140,8 +197,10 @@ vtkSmartPointer<vtkPolyData> readXyz(const std::string& file)
   {
     more = lines.next();
   }
-  const bool isNamed = count < 0 && more && namesColumns(lines);
-  if (isNamed)
+  const std::vector<std::string> names =
+    count < 0 && more ? columnNames(lines) : std::vector<std::string>();
+  NormalColumns normals(names);
+  if (!names.empty())
   {
     more = lines.next();
   }
@@ -151,8 +210,9 @@ vtkSmartPointer<vtkPolyData> readXyz(const std::string& file)
     polygons.addPoint(lines.point(
       0, isFirst ? "x y z (delete this line if it is a header over columns x y z)" : "x y z"));
     polygons.noteWords(lines.words(), 0);
+    normals.read(lines);
   }
-  if (!isNamed)
+  if (names.empty())
   {
     lines.refuseAmbiguousCommas();
   }
@@ -161,6 +221,10 @@ vtkSmartPointer<vtkPolyData> readXyz(const std::string& file)
     throw InputError(file + ", line " + std::to_string(first) + ": announces " +
       std::to_string(count) + " points, but " + std::to_string(polygons.points()) +
       " follow; the file was cut, or the number is wrong: correct or delete it");
+  }
+  for (const std::array<double, 3>& normal : normals.normals())
+  {
+    polygons.addNormal(normal);
   }
   return polygons.take();
 }

@@ -111,7 +111,9 @@ std::string read(const std::string& file)
   vtkNew<WholeReader<Reader>> reader;
   reader->SetFileName(file.c_str());
   reader->UpdateInformation();
-  reader->GetPointDataArraySelection()->DisableAllArrays(); // only points and cells are wanted
+  // Only points, their normals, and cells are wanted.
+  reader->GetPointDataArraySelection()->DisableAllArrays();
+  reader->SetPointArrayStatus("Normals", 1);
   reader->GetCellDataArraySelection()->DisableAllArrays();
   reader->Update();
   if (!messages::error().empty())

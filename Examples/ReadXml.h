@@ -7,7 +7,7 @@
 
 #include <string>
 
-/// The points of a .vtp file, floats or doubles as there, and its polygons, triangle strips as triangles.
+/// The points of a .vtp file, floats or doubles as there, their array `Normals`, and its polygons, triangle strips as triangles.
 ///
 /// VTK's reader does the work. VTK 9.1's crashes, runs away or asks for all memory on some damaged files,
 /// so it works in a process of its own, with limits that follow from the size of the file.

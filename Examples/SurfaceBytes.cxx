@@ -5,9 +5,11 @@
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
@@ -133,16 +135,20 @@ Corners cornersOf(vtkPointSet* data)
   return result;
 }
 
-/// What the bytes begin with. The coordinates follow, where the corners of each polygon end, and the corners.
+/// What the bytes begin with. The coordinates follow, the normals, where the corners of each polygon end, and the
+/// corners.
 struct Header
 {
   int type; ///< of coordinates
+  int hasNormals;
   vtkIdType points, polygons, corners;
 
   std::size_t coordinateSize() const
   {
     return 3 * (this->type == VTK_FLOAT ? sizeof(float) : sizeof(double));
   }
+
+  std::size_t normalsSize() const { return this->hasNormals * 3 * sizeof(double) * this->points; }
 };
 
 void append(std::string& bytes, const void* values, std::size_t size)
@@ -155,6 +161,23 @@ void take(const char*& from, void* values, std::size_t size)
 {
   std::memcpy(values, from, size);
   from += size;
+}
+
+/// The normals of points as doubles; none where there is no such array.
+vtkSmartPointer<vtkDoubleArray> normalsOf(vtkPointSet* data)
+{
+  auto result = vtkSmartPointer<vtkDoubleArray>::New();
+  vtkDataArray* given = data ? data->GetPointData()->GetArray("Normals") : nullptr;
+  if (given)
+  {
+    result->DeepCopy(given);
+    if (given->GetNumberOfComponents() != 3 ||
+      given->GetNumberOfTuples() != data->GetNumberOfPoints())
+    {
+      throw InputError("its array 'Normals' has not three numbers for each point; correct it");
+    }
+  }
+  return result;
 }
 
 void checkCorners(const std::string& file, const Corners& corners, vtkIdType points)
@@ -179,11 +202,14 @@ std::string bytesOf(vtkPointSet* data)
     points->DeepCopy(given);
   }
   const Corners corners = cornersOf(data);
-  const Header header = { points->GetDataType(), points->GetNumberOfPoints(),
-    static_cast<vtkIdType>(corners.ends.size()), static_cast<vtkIdType>(corners.points.size()) };
+  const vtkSmartPointer<vtkDoubleArray> normals = normalsOf(data);
+  const Header header = { points->GetDataType(), normals->GetNumberOfValues() > 0,
+    points->GetNumberOfPoints(), static_cast<vtkIdType>(corners.ends.size()),
+    static_cast<vtkIdType>(corners.points.size()) };
   std::string bytes;
   append(bytes, &header, sizeof header);
   append(bytes, points->GetVoidPointer(0), header.coordinateSize() * header.points);
+  append(bytes, normals->GetVoidPointer(0), header.normalsSize());
   append(bytes, corners.ends.data(), sizeof(vtkIdType) * corners.ends.size());
   append(bytes, corners.points.data(), sizeof(vtkIdType) * corners.points.size());
   return bytes;
@@ -198,6 +224,11 @@ vtkSmartPointer<vtkPolyData> surfaceOf(const std::string& file, const std::strin
   points->SetDataType(header.type);
   points->SetNumberOfPoints(header.points);
   take(from, points->GetVoidPointer(0), header.coordinateSize() * header.points);
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(header.points);
+  take(from, normals->GetVoidPointer(0), header.normalsSize());
   Corners corners;
   corners.ends.resize(header.polygons);
   take(from, corners.ends.data(), sizeof(vtkIdType) * corners.ends.size());
@@ -214,5 +245,6 @@ vtkSmartPointer<vtkPolyData> surfaceOf(const std::string& file, const std::strin
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->SetPoints(points);
   result->SetPolys(polygons);
+  result->GetPointData()->SetNormals(header.hasNormals ? normals.Get() : nullptr);
   return result;
 }

@@ -71,7 +71,7 @@ int vtkPolarBalls::RequestData(
       }
       const medial::PolarBallsAndSamples made = medial::polarBallsAndSamples(
         medial::readSamples(input), { this->MergeTolerance, medial::sampleResolution(input) },
-        execution, solid ? &solid->tree : nullptr);
+        execution, solid ? &solid->tree : nullptr, medial::readNormals(input));
       const medial::Warnings open = medial::openSurfaceWarnings(
         medial::readPolygons(input), made.samples.duplicateOf, made.balls.samples);
       medial::write(made, input, balls, samples);

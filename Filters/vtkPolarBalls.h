@@ -8,7 +8,8 @@
  *
  * Input: any vtkPointSet. Its points are the samples. Its cells make no difference to the result, but
  * where they are the polygons of an open surface, that is warned of. Lengths are in the
- * unit of the samples, volumes in its cube. A second input, the surface of the solid, is optional; see
+ * unit of the samples, volumes in its cube. Where the samples have normals (the active ones, or the point
+ * array `Normals`, 3 components, outwards, of any length), these tell which balls are inside. A second input, the surface of the solid, is optional; see
  * SetSolidConnection(). Repeated points count once, also where they differ by
  * rounding only, see SetMergeTolerance().
  *

@@ -150,6 +150,31 @@ std::vector<Point> readSamples(vtkPointSet* input)
   return readPoints(input);
 }
 
+std::vector<Point> readNormals(vtkPointSet* input)
+{
+  vtkPointData* data = input->GetPointData();
+  vtkDataArray* active = data->GetNormals();
+  vtkDataArray* normals = active ? active : data->GetArray(names::Normals);
+  if (!normals)
+  {
+    return {};
+  }
+  if (normals->GetNumberOfComponents() != 3 ||
+    normals->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    throw InvalidInput("the point array '", normals->GetName() ? normals->GetName() : "", "' has ",
+      normals->GetNumberOfTuples(), " normals of ", normals->GetNumberOfComponents(),
+      " components for ", input->GetNumberOfPoints(),
+      " points; give one of 3 components for each, or none");
+  }
+  std::vector<Point> result(normals->GetNumberOfTuples());
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    normals->GetTuple(static_cast<vtkIdType>(i), result[i].data());
+  }
+  return result;
+}
+
 IndexLists readPolygons(vtkPointSet* input)
 {
   IndexLists result;

@@ -18,6 +18,10 @@ namespace medial
 /// The points of a data set, in their order.
 std::vector<Point> readSamples(vtkPointSet* input);
 
+/// The normals at the points: the active ones, or the point array `Normals`. Empty where there are none.
+/// @throw InvalidInput  the array has not three components, or not one normal for each point
+std::vector<Point> readNormals(vtkPointSet* input);
+
 /// The polygons of a data set, if it is a surface: the samples are its points then. Cells of other kinds,
 /// and cells with a point that isn't there, are left out.
 IndexLists readPolygons(vtkPointSet* input);

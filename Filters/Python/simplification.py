@@ -65,7 +65,8 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
              wrap: bool | float = False,
              iso: float | None = None, label: float | None = None,
              spacing: Sequence[float] = (1, 1, 1),
-             origin: Sequence[float] = (0, 0, 0)) -> Simplified:
+             origin: Sequence[float] = (0, 0, 0),
+             normals: Any = None) -> Simplified:
     """Simplifies the solid that is given by an image, by a mesh, or by points of its boundary.
 
     Other threads of Python go on meanwhile. Ctrl-C stops it within a second.
@@ -89,13 +90,16 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
     label     of an image: voxels of this value are the solid; without iso and label it is the one of two
               values that isn't 0
     spacing, origin  of an array of voxels: their distances, and where the centre of the first one is
+    normals   of the surface at each point, outwards, an array of shape (n, 3): they tell what is inside, where
+              points are the samples; None: those that the vtkPointSet has, if any
     Raises ValueError where the points or the schedule can't be used; the message says why.
     Issues a MedialAxisWarning for each doubt, and where the surface is not certified.
     """
     filter = vtkSimplifyShape()
     prune = filter.GetMedialPrune()
     quiet = prune.AddObserver("ErrorEvent", lambda *_: None)  # else VTK prints what is raised below
-    filter.SetInputData(_input(points, spacing, origin))
+    given = _input(points, spacing, origin)
+    filter.SetInputData(given if normals is None else _with_normals(given, normals))
     if iso is not None and label is not None:
         raise ValueError("give iso or label, not both")
     if iso is not None or label is not None:
@@ -242,4 +246,22 @@ def _cloud(points: Any) -> vtkPolyData:
     places.SetData(numpy_to_vtk(coordinates, deep=True))
     result = vtkPolyData()
     result.SetPoints(places)
+    return result
+
+
+def _with_normals(given: vtkDataObject, normals: Any) -> vtkPointSet:
+    import numpy
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+
+    if not isinstance(given, vtkPointSet):
+        raise ValueError("normals are for points, not for voxels")
+    values = numpy.ascontiguousarray(normals, dtype=float)
+    if values.shape != (given.GetNumberOfPoints(), 3):
+        raise ValueError("normals have the shape %s; give one for each of the %d points, of shape (n, 3)"
+                         % (values.shape, given.GetNumberOfPoints()))
+    result = given.NewInstance()
+    result.ShallowCopy(given)
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName("Normals")
+    result.GetPointData().SetNormals(array)
     return result

@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <vtkCellArray.h>
+#include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 
 #include <string>
 #include <utility>
@@ -84,5 +86,20 @@ TEST(ReadXml, RefuseXmlFilesWhoseCellsContradictThemselves)
     expect("'5'>\n<Points>", "'6'>\n<Points>", "can't be read");
   }
   EXPECT_NE(refusal("p.vtu", vtu({ { 0, 1, 2 }, { 2, 3, 4 } }, "5")), "read");
+}
+
+TEST(ReadXml, TakeNormals)
+{
+  const std::string points = "</Points>";
+  std::string file = vtp();
+  file.insert(file.find(points) + points.size(),
+    "<PointData><DataArray type='Float32' Name='Normals' NumberOfComponents='3' format='ascii'>"
+    "0 0 1 0 0 2 0 0 3 0 0 4 0 0 nan</DataArray></PointData>");
+  const auto mesh = readVtp(write("normals.vtp", file));
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  ASSERT_TRUE(normals);
+  EXPECT_EQ(normals->GetNumberOfTuples(), 5);
+  EXPECT_EQ(normals->GetComponent(3, 2), 4);
+  EXPECT_FALSE(readVtp(write("plain.vtp", vtp()))->GetPointData()->GetNormals());
 }
 }

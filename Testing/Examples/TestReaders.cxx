@@ -16,6 +16,7 @@
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 
 #include <algorithm>
 #include <array>
@@ -232,4 +233,42 @@ TEST(Resolution, ComesWithTexts)
     ASSERT_EQ(unit != nullptr, isText);
     EXPECT_DOUBLE_EQ(unit ? unit->GetComponent(0, 0) : 1e-6, 1e-6); // as std::to_string writes
   }
+}
+
+/// The z of all normals of a text, or nothing where it has none.
+std::vector<double> normalHeights(const std::string& name, const std::string& content, Read read)
+{
+  vtkDataArray* normals = nullptr;
+  const auto mesh = read(write(name, content));
+  normals = mesh->GetPointData()->GetNormals();
+  std::vector<double> result;
+  for (vtkIdType i = 0; normals && i < normals->GetNumberOfTuples(); ++i)
+  {
+    result.push_back(normals->GetComponent(i, 2));
+  }
+  return result;
+}
+
+TEST(Readers, FindNormals)
+{
+  using Heights = std::vector<double>;
+  const Heights both = { 0.8, -0.5 };
+  const auto text = [](const std::string& content) {
+    return normalHeights("normals.xyz", content, readXyz);
+  };
+  EXPECT_EQ(text("x y z nx ny nz\n1 2 3 0.6 0 0.8\n1 2 4 0 0 -0.5\n"), both);
+  EXPECT_EQ(text("//X,Y,Z,R,Nx,Ny,Nz\n1,2,3,9,0.6,0,0.8\n1,2,4,9,0,0,-0.5\n"), both);
+  EXPECT_EQ(text("1 2 3 0.6 0 0.8\n1 2 4 0 0 -1\n"), Heights({ 0.8, -1 }));
+  EXPECT_EQ(text("1 2 3 0.6 0 0.8\n1 2 4 0 0 -0.5\n"), Heights()); // colours
+  EXPECT_EQ(text("x y z r g b\n1 2 3 0.6 0 0.8\n"), Heights());
+  EXPECT_EQ(text("x y z nx ny nz\n1 2 3 0.6 0 0.8\n1 2 4\n"), Heights());
+  EXPECT_EQ(text("1 2 3\n1 2 4\n"), Heights());
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty "
+                             "float nz\nproperty float y\nproperty float z\nproperty float nx\n";
+  EXPECT_EQ(normalHeights("normals.ply",
+              header + "property float ny\nend_header\n1 0.8 2 3 0.6 0\n1 -0.5 2 4 0 0\n", readPly),
+    both);
+  EXPECT_EQ(normalHeights("normals.ply",
+              header + "property float q\nend_header\n1 0.8 2 3 0.6 0\n1 -0.5 2 4 0 0\n", readPly),
+    Heights());
 }

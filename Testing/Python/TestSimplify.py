@@ -86,6 +86,17 @@ class Simplify(unittest.TestCase):
         with self.assertWarnsRegex(medialaxis.MedialAxisWarning, "samples lie within 0.0078125"):
             simplify(floats)
 
+    def test_takes_normals(self):
+        points = ellipsoid(400)
+        normals = points / [9, 4, 1]
+        expected = arrays(simplify(points).surface)["points"]
+        found = arrays(simplify(points, normals=normals).surface)["points"]
+        numpy.testing.assert_array_equal(found, expected)
+        with self.assertWarnsRegex(medialaxis.MedialAxisWarning, "point into the solid"):
+            simplify(points, normals=-normals)
+        with self.assertRaisesRegex(ValueError, "399"):
+            simplify(points, normals=normals[1:])
+
     def test_takes_a_schedule_in_words(self):
         words = simplify(ellipsoid(400), "t5 v1%")
         listed = simplify(ellipsoid(400), [("TriangleCount", 5), ("RelativeVolume", 0.01)])

@@ -83,7 +83,8 @@ Warnings unusable(const std::vector<Point>& normals)
 Warning inverted(Index sampleCount)
 {
   return { "inverted_normals",
-    "The normals point into the solid: on most of its outside they do. All were turned around. Give "
+    "The normals point into the solid: on most of its outside they do. All were turned around. "
+    "Give "
     "normals that point outwards.",
     sampleCount, {}, false };
 }
@@ -176,7 +177,8 @@ Warnings normalWarnings(const NormalVotes& votes, const DistinctSamples& distinc
   const bool doubtsSolid = 20 * contradicting > total;
   return { { "contradicting_normals",
     text("The normals of ", contradicting, " of ", total,
-      " samples say that a ball is on the other side than the normals around it. Orient the normals "
+      " samples say that a ball is on the other side than the normals around it. Orient the "
+      "normals "
       "alike; sample sharp edges and thin walls more densely."),
     contradicting, place, doubtsSolid } };
 }

@@ -217,10 +217,9 @@ std::vector<std::array<Index, 2>> ballsOfPoles(
 {
   const auto ballOf = [&](Index pole) { return pole == None ? None : ballOfCell[pole]; };
   std::vector<std::array<Index, 2>> result(poles.size());
-  std::transform(
-    poles.begin(), poles.end(), result.begin(), [&](const std::array<Index, 2>& pair) {
-      return std::array{ ballOf(pair[0]), ballOf(pair[1]) };
-    });
+  std::transform(poles.begin(), poles.end(), result.begin(), [&](const std::array<Index, 2>& pair) {
+    return std::array{ ballOf(pair[0]), ballOf(pair[1]) };
+  });
   return result;
 }
 

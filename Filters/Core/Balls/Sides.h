@@ -32,8 +32,8 @@ std::vector<char> surelyOutside(const SideInput& input);
 /// are on the same side; the two poles of a sample are on opposite sides. A ball that no label
 /// reaches is outer. A ball in no cell is hidden.
 /// @param votes  for each ball: positive outside, negative inside, 0 not known; or empty
-std::vector<Side> sides(const SideInput& input, const Execution& execution = {},
-  const std::vector<Index>& votes = {});
+std::vector<Side> sides(
+  const SideInput& input, const Execution& execution = {}, const std::vector<Index>& votes = {});
 
 /// The same where the surface of the solid is known: a ball is inner if its centre is inside.
 /// @param frame  of the balls; the surface is in world coordinates
