@@ -94,7 +94,7 @@ TEST(ReadXml, TakeNormals)
   std::string file = vtp();
   file.insert(file.find(points) + points.size(),
     "<PointData><DataArray type='Float32' Name='Normals' NumberOfComponents='3' format='ascii'>"
-    "0 0 1 0 0 2 0 0 3 0 0 4 0 0 nan</DataArray></PointData>");
+    "0 0 1 0 0 2 0 0 3 0 0 4 0 0 0</DataArray></PointData>");
   const auto mesh = readVtp(write("normals.vtp", file));
   vtkDataArray* normals = mesh->GetPointData()->GetNormals();
   ASSERT_TRUE(normals);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Balls/Sides.h"
 
+#include "Balls/SideCut.h"
+#include "Balls/SideLinks.h"
 #include "Base/Frame.h"
 #include "Base/Lists.h"
 
@@ -17,7 +19,8 @@
 // passes its belief times the strength of the link on to each neighbour, where the larger belief
 // counts. Invariant: the side of a ball that was taken never changes, and no belief is larger than
 // the one it came from. With m balls and e links this costs O((m + e) log e) time; both numbers are
-// proportional to the number of samples in practice.
+// proportional to the number of samples in practice. Then cutSides() decides anew where links contradict each
+// other.
 namespace medial
 {
 namespace
@@ -32,48 +35,13 @@ struct Link
 
 using Links = Lists<Link>;
 
-struct Pair
+Links linksOfBalls(const std::vector<SideLink>& links, Index ballCount)
 {
-  Index a, b;
-  float strength;
-  bool same;
-};
-
-std::vector<Pair> pairs(const SideInput& input)
-{
-  std::vector<Pair> result;
-  for (const Edge& edge : input.edges)
-  {
-    const double strength = intersectionDepth(input.balls[edge[0]], input.balls[edge[1]]);
-    if (strength > 0)
+  return listsByKey<Link>(ballCount, [&links](const auto& add) {
+    for (const SideLink& link : links)
     {
-      result.push_back({ edge[0], edge[1], static_cast<float>(std::min(strength, 1.0)), true });
-    }
-  }
-  for (std::size_t s = 0; s < input.samples.size(); ++s)
-  {
-    const auto [first, second] = input.ballsOfSample[s];
-    if (first != None && second != None && first != second)
-    {
-      const Point u = input.balls[first].center - input.samples[s];
-      const Point v = input.balls[second].center - input.samples[s];
-      const double strength = -u.dot(v) / (u.norm() * v.norm());
-      if (strength > 0)
-      {
-        result.push_back({ first, second, static_cast<float>(std::min(strength, 1.0)), false });
-      }
-    }
-  }
-  return result;
-}
-
-Links links(const std::vector<Pair>& pairs, Index ballCount)
-{
-  return listsByKey<Link>(ballCount, [&pairs](const auto& add) {
-    for (const Pair& pair : pairs)
-    {
-      add(pair.a, Link{ pair.b, pair.strength, pair.same });
-      add(pair.b, Link{ pair.a, pair.strength, pair.same });
+      add(link.a, Link{ link.b, link.strength, link.same });
+      add(link.b, Link{ link.a, link.strength, link.same });
     }
   });
 }
@@ -172,9 +140,10 @@ std::vector<Side> sides(
       result[b] = votes[b] < 0 ? Side::Inner : Side::Outer;
     }
   }
-  const Links network = links(pairs(input), count(input.balls));
+  const std::vector<SideLink> links = sideLinks(input);
+  spread(linksOfBalls(links, count(input.balls)), known, result);
   execution.report(0.5);
-  spread(network, known, result);
+  cutSides(links, known, result, execution.between(0.5, 1));
   hideUnused(input.edges, result);
   execution.report(1);
   return result;

@@ -2,6 +2,7 @@
 #ifndef medial_Sides_h
 #define medial_Sides_h
 
+#include "Balls/SideInput.h"
 #include "Base/Execution.h"
 #include "Base/Frame.h"
 #include "Base/SurfaceTree.h"
@@ -11,16 +12,6 @@
 
 namespace medial
 {
-/// What decides which balls are inside the solid. All lengths are in one frame.
-struct SideInput
-{
-  const std::vector<Point>& samples;
-  const std::vector<std::array<Index, 2>>& ballsOfSample; ///< its two polar balls, or None
-  const std::vector<Ball>& balls;
-  const std::vector<char>& touchesGuard; ///< for each ball
-  const std::vector<Edge>& edges;        ///< of the balls' regular triangulation
-};
-
 /// For each ball: does it touch a guard, or is its centre outside the samples' bounding box? The samples
 /// cover the whole boundary, so such a ball is outside the solid.
 std::vector<char> surelyOutside(const SideInput& input);
@@ -30,8 +21,10 @@ std::vector<char> surelyOutside(const SideInput& input);
 /// Balls that are surely outside are outer; others are on the side that votes tell, if they do. From
 /// all these labels spread to the other balls, the most certain label first. Balls that intersect deeply
 /// are on the same side; the two poles of a sample are on opposite sides. A ball that no label
-/// reaches is outer. A ball in no cell is hidden.
+/// reaches is outer. A ball in no cell is hidden. Where that contradicts more evidence than it must, cutSides()
+/// mends it.
 /// @param votes  for each ball: positive outside, negative inside, 0 not known; or empty
+/// @throw Aborted
 std::vector<Side> sides(
   const SideInput& input, const Execution& execution = {}, const std::vector<Index>& votes = {});
 

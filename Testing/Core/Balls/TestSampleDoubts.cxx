@@ -277,7 +277,7 @@ TEST(SampleDoubts, OutliersThatDecideTheTopologyDoubtTheSolid)
   {
     const shapes::Shape knot = shapes::knot(0.17, seed);
     const Eigen::AlignedBox3d box = medial::boundingBox(knot.samples);
-    const auto strays = scattered(medial::count(knot.samples) / 50, box.sizes() / 2, seed);
+    const auto strays = scattered(medial::count(knot.samples) / 10, box.sizes() / 2, seed);
     expectDoubts(knot, shapes::moved(strays, box.center()));
   }
   EXPECT_GE(wrong, 2) << "too few wrong solids to tell";
