@@ -67,7 +67,8 @@ vtkSmartPointer<vtkPolyData> read(const std::string& file, const std::string& ex
     }
   }
   throw InputError(file + ": can't read '" + extension +
-    "' files; convert it to .ply .stl .obj .vtp .vtu .off .xyz or .csv, an image to .vti .mha .nrrd "
+    "' files; convert it to .ply .stl .obj .vtp .vtu .off .xyz or .csv, an image to .vti .mha "
+    ".nrrd "
     ".nii.gz or .dcm");
 }
 
