@@ -147,6 +147,8 @@ std::vector<Option> inputOptions(Arguments& arguments)
       } },
     { "--points", "", "takes the vertices of a mesh as samples, not its triangles",
       turnsOn(arguments.points) },
+    { "--clean", "", "takes outliers and noise from the points of a scan; polygons are left out",
+      turnsOn(arguments.clean) },
     { "--fineness", "F",
       "samples triangles at most F times the thickness of solid and gaps apart (default: 0.25)",
       [&](const std::string& value) { arguments.fineness = parseFineness(value); } },
@@ -290,6 +292,10 @@ void complete(Arguments& arguments)
   if (arguments.iso && arguments.label)
   {
     throw UsageError("--iso or --label tells the solid of an image, not both");
+  }
+  if (arguments.clean && isImageName(arguments.input))
+  {
+    throw UsageError("--clean is for points; " + arguments.input + " is an image");
   }
   const bool isForImages = arguments.iso || arguments.label || arguments.fillCavities ||
     arguments.smallestPiece || arguments.largestPiece;

@@ -18,15 +18,16 @@ struct Arguments
   std::vector<int> partsToRemove;
   bool dropInvalid = false;   ///< leave points with NaN or infinite coordinates out
   double mergeTolerance = -1; ///< within it samples count as one; negative: what rounding explains
-  bool points = false;        ///< the vertices of a mesh are the samples, not its triangles
-  double fineness = 0;        ///< of the samples of triangles; 0: the default of vtkBoundarySamples
-  double spacing = 0;         ///< largest one of them; 0: chosen
-  bool wrap = false;          ///< sample the surface around polygons that bound no solid
-  double wrapWidth = 0;       ///< of the gaps that it crosses; 0: chosen
-  std::optional<double> iso;  ///< of an image: its solid are the voxels of at least this value
-  std::optional<double> label;      ///< or those of this one
-  int series = 0;                   ///< of a folder of DICOM files, from 1 on; 0: the only one
-  std::optional<int> fillCavities;  ///< largest one that is filled, in voxels
+  bool clean = false;   ///< take outliers and noise from the points, which are the samples then
+  bool points = false;  ///< the vertices of a mesh are the samples, not its triangles
+  double fineness = 0;  ///< of the samples of triangles; 0: the default of vtkBoundarySamples
+  double spacing = 0;   ///< largest one of them; 0: chosen
+  bool wrap = false;    ///< sample the surface around polygons that bound no solid
+  double wrapWidth = 0; ///< of the gaps that it crosses; 0: chosen
+  std::optional<double> iso;       ///< of an image: its solid are the voxels of at least this value
+  std::optional<double> label;     ///< or those of this one
+  int series = 0;                  ///< of a folder of DICOM files, from 1 on; 0: the only one
+  std::optional<int> fillCavities; ///< largest one that is filled, in voxels
   std::optional<int> smallestPiece; ///< that is kept, in voxels
   bool largestPiece = false;        ///< keep that alone
   int threads = 0;                  ///< 0: as many as the machine has

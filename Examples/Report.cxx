@@ -170,6 +170,24 @@ std::string image(vtkSimplifyShape* simplify, const Input& input)
   });
 }
 
+/// What was taken from a scan.
+std::string cleaning(vtkSimplifyShape* simplify)
+{
+  vtkDataObject* balls = simplify->GetPolarBalls()->GetOutput();
+  if (!balls->GetFieldData()->HasArray("NoiseBefore"))
+  {
+    return "null";
+  }
+  return inBraces({
+    { "noiseBefore", number(fieldValue(balls, "NoiseBefore")) },
+    { "noiseAfter", number(fieldValue(balls, "NoiseAfter")) },
+    { "outliers", number(fieldValue(balls, "DroppedOutliers")) },
+    { "thinned", number(fieldValue(balls, "ThinnedSamples")) },
+    { "thinning", number(fieldValue(balls, "Thinning")) },
+    { "smoothingRounds", number(fieldValue(balls, "SmoothingRounds")) },
+  });
+}
+
 /// How the triangles were sampled.
 std::string sampling(vtkSimplifyShape* simplify, const Input& input)
 {
@@ -314,6 +332,7 @@ std::string report(
         { "image", image(simplify, input) },
         { "samples", number(fieldValue(samples, "NumberOfSamples")) },
         { "sampling", sampling(simplify, input) },
+        { "cleaning", cleaning(simplify) },
         { "duplicates", number(fieldValue(samples, "NumberOfDuplicates")) },
         { "mergeTolerance", number(fieldValue(samples, "MergeTolerance")) },
         { "invalid", number(double(input.invalid)) },

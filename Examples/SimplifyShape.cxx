@@ -19,6 +19,7 @@
 #include "Verdict.h"
 
 #include <vtkBoundarySamples.h>
+#include <vtkCleanScan.h>
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
@@ -85,6 +86,21 @@ void setProperties(vtkSimplifyShape* simplify, const Arguments& arguments)
   {
     prune->AddPartToRemove(part);
   }
+}
+
+/// The samples of a scan without outliers and noise.
+/// @throw InputError  there are too few
+vtkSmartPointer<vtkPolyData> cleaned(vtkPolyData* samples, const std::string& file)
+{
+  vtkNew<vtkCleanScan> clean;
+  clean->SetInputData(samples);
+  clean->Update();
+  if (clean->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw InputError(file + ": " + messages::error());
+  }
+  messages::clear();
+  return clean->GetOutput();
 }
 
 void watchStages(vtkSimplifyShape* simplify, Progress& progress)
@@ -210,7 +226,11 @@ ExitCode simplify(const Arguments& arguments)
   {
     vtkSMPTools::Initialize(arguments.threads);
   }
-  const Input input = readInput(arguments.input, arguments.series, arguments.dropInvalid);
+  Input input = readInput(arguments.input, arguments.series, arguments.dropInvalid);
+  if (arguments.clean)
+  {
+    input.samples = cleaned(input.samples, arguments.input);
+  }
   OutputFolder folder(arguments.output, arguments.input);
   vtkNew<vtkSimplifyShape> filter;
   filter->SetInputDataObject(

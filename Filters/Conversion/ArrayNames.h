@@ -25,6 +25,16 @@ constexpr const char* DroppedPieces = "DroppedPieces";
 constexpr const char* DroppedVoxels = "DroppedVoxels";
 constexpr const char* CutVoxels = "CutVoxels";
 
+// vtkCleanScan: points; Normals too
+constexpr const char* InputPoint = "InputPoint";
+// ... field data, single values; passed on to all later filters
+constexpr const char* NoiseBefore = "NoiseBefore";
+constexpr const char* NoiseAfter = "NoiseAfter";
+constexpr const char* DroppedOutliers = "DroppedOutliers";
+constexpr const char* ThinnedSamples = "ThinnedSamples";
+constexpr const char* SmoothingRounds = "SmoothingRounds";
+constexpr const char* Thinning = "Thinning";
+
 // vtkBoundarySamples: points of the samples
 constexpr const char* Normals = "Normals";
 constexpr const char* Spacing = "Spacing";

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     vtkDataObject, vtkImageData, vtkPointSet, vtkPolyData, vtkTable)
 
-from .vtkFiltersMedial import vtkBackgroundUpdate, vtkSimplifyShape
+from .vtkFiltersMedial import vtkBackgroundUpdate, vtkCleanScan, vtkSimplifyShape
 
 
 class Stopped(Exception):
@@ -66,7 +66,7 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
              iso: float | None = None, label: float | None = None,
              spacing: Sequence[float] = (1, 1, 1),
              origin: Sequence[float] = (0, 0, 0),
-             normals: Any = None) -> Simplified:
+             normals: Any = None, clean: bool = False) -> Simplified:
     """Simplifies the solid that is given by an image, by a mesh, or by points of its boundary.
 
     Other threads of Python go on meanwhile. Ctrl-C stops it within a second.
@@ -92,6 +92,8 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
     spacing, origin  of an array of voxels: their distances, and where the centre of the first one is
     normals   of the surface at each point, outwards, an array of shape (n, 3): they tell what is inside, where
               points are the samples; None: those that the vtkPointSet has, if any
+    clean     take outliers and noise from the points first, see vtkCleanScan; polygons are left out then.
+              Other threads wait for that
     Raises ValueError where the points or the schedule can't be used; the message says why.
     Issues a MedialAxisWarning for each doubt, and where the surface is not certified.
     """
@@ -99,7 +101,9 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
     prune = filter.GetMedialPrune()
     quiet = prune.AddObserver("ErrorEvent", lambda *_: None)  # else VTK prints what is raised below
     given = _input(points, spacing, origin)
-    filter.SetInputData(given if normals is None else _with_normals(given, normals))
+    if normals is not None:
+        given = _with_normals(given, normals)
+    filter.SetInputData(_cleaned(given) if clean else given)
     if iso is not None and label is not None:
         raise ValueError("give iso or label, not both")
     if iso is not None or label is not None:
@@ -247,6 +251,27 @@ def _cloud(points: Any) -> vtkPolyData:
     result = vtkPolyData()
     result.SetPoints(places)
     return result
+
+
+def _cleaned(given: vtkDataObject) -> vtkPolyData:
+    from vtkmodules.util.misc import calldata_type
+    from vtkmodules.util.vtkConstants import VTK_STRING
+
+    if not isinstance(given, vtkPointSet):
+        raise ValueError("clean is for points, not for voxels")
+    errors = []
+
+    @calldata_type(VTK_STRING)
+    def note(_scan, _event, text):
+        errors.append(text.strip())
+
+    scan = vtkCleanScan()
+    scan.AddObserver("ErrorEvent", note)
+    scan.SetInputData(given)
+    scan.Update()
+    if errors:
+        raise ValueError("; ".join(errors))
+    return scan.GetOutput()
 
 
 def _with_normals(given: vtkDataObject, normals: Any) -> vtkPointSet:

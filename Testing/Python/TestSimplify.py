@@ -97,6 +97,16 @@ class Simplify(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "399"):
             simplify(points, normals=normals[1:])
 
+    def test_cleans_scans(self):
+        points = ellipsoid(1500)
+        points[:, 2] += 0.05 * numpy.sin(1000.0 * numpy.arange(1500))
+        result = simplify(numpy.concatenate([points, [[0, 0, 4]]]), clean=True)
+        field = arrays(result.surface)
+        self.assertEqual(field["DroppedOutliers"], [1])
+        self.assertLess(field["NoiseAfter"][0], field["NoiseBefore"][0])
+        with self.assertRaisesRegex(ValueError, "at least 20"):
+            simplify(points[:9], clean=True)
+
     def test_takes_a_schedule_in_words(self):
         words = simplify(ellipsoid(400), "t5 v1%")
         listed = simplify(ellipsoid(400), [("TriangleCount", 5), ("RelativeVolume", 0.01)])

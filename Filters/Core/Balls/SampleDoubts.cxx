@@ -2,7 +2,6 @@
 #include "Balls/SampleDoubts.h"
 
 #include "Balls/ContestedBalls.h"
-#include "Balls/NoiseEstimate.h"
 #include "Balls/SampleEvidence.h"
 #include "Balls/StraySamples.h"
 #include "Balls/SurfaceGaps.h"
@@ -12,6 +11,7 @@
 #include "Base/Errors.h"
 #include "Base/Lists.h"
 #include "Base/Neighbors.h"
+#include "Samples/NoiseEstimate.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipelines.h"
 
-#include "Balls/NoiseEstimate.h"
 #include "Balls/PolarBalls.h"
 #include "Balls/PowerShape.h"
 #include "Base/Frame.h"
 #include "Base/Warnings.h"
 #include "PoissonDisk.h"
+#include "Samples/NoiseEstimate.h"
 #include "Shapes.h"
 
 #include <Eigen/Geometry>

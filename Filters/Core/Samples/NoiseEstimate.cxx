@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Balls/NoiseEstimate.h"
+#include "Samples/NoiseEstimate.h"
 
 #include "Base/Lists.h"
 
