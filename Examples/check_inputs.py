@@ -97,8 +97,22 @@ class Inputs(ProgramTest):
         clean = self.read("clean.xyz", rows(POINTS))
         self.assertEqual(self.read("n.xyz", rows(POINTS, end=" nan nan nan\n")), clean)
         names = "".join("property float %s\n" % name for name in ("nx", "ny", "nz"))
-        self.assertEqual(self.read("n.ply", ascii_ply(300, rows(POINTS, end=" nan nan nan\n"),
-                                                      XYZ + names)), clean)
+        done = self.run_program(
+            self.write("n.ply", ascii_ply(300, rows(POINTS, end=" nan nan nan\n"), XYZ + names)),
+            "--output", self.path("out"), "--schedule", "")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("out/report.json")) as file:
+            report = json.load(file)
+        self.assertEqual(report["balls"], clean["balls"])
+        self.assertIn("unusable_normals", [warning["code"] for warning in report["warnings"]])
+
+    def test_clean_takes_outliers_from_points(self):
+        clean = self.read("clean.xyz", rows(POINTS))
+        self.assertIsNone(clean["cleaning"])
+        stray = self.read("stray.csv", rows(POINTS + [(0, 0, 40)]), "--clean")
+        self.assertEqual(stray["cleaning"]["outliers"], 1)
+        self.assert_fails(2, ["at least 20"], self.write_xyz(POINTS[:9]), "--clean")
+        self.assert_fails(1, ["--clean"], "scan.mha", "--clean")
 
     def test_formats_agree_at_map_coordinates(self):
         """Floats would put these points on a lattice of half a metre."""
