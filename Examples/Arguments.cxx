@@ -293,7 +293,7 @@ void complete(Arguments& arguments)
   {
     throw UsageError("--iso or --label tells the solid of an image, not both");
   }
-  if (arguments.clean && isImageName(arguments.input))
+  if (arguments.clean && imageKind(arguments.input) != ImageKind::None)
   {
     throw UsageError("--clean is for points; " + arguments.input + " is an image");
   }
