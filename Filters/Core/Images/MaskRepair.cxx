@@ -140,7 +140,7 @@ std::array<Index, 6> borderVoxels(const VoxelMask& mask)
 {
   std::array<Index, 6> result{};
   forBorderVoxels(mask, [&](const std::array<Index, 3>& voxel) {
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
       result[2 * axis] += voxel[axis] == 0 ? 1 : 0;
       result[2 * axis + 1] += voxel[axis] + 1 == mask.size[axis] ? 1 : 0;

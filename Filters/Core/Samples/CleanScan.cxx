@@ -148,11 +148,9 @@ double noiseOf(const std::vector<Point>& samples, const Execution& execution)
 /// Moves samples onto surfaces fitted to their neighbours.
 void smooth(std::vector<Point>& samples)
 {
-  std::vector<Place> places;
-  for (const Point& p : samples)
-  {
-    places.emplace_back(p.x(), p.y(), p.z());
-  }
+  std::vector<Place> places(samples.size());
+  std::transform(samples.begin(), samples.end(), places.begin(),
+    [](const Point& p) { return Place(p.x(), p.y(), p.z()); });
   CGAL::jet_smooth_point_set<CGAL::Sequential_tag>(places, fitted);
   std::transform(places.begin(), places.end(), samples.begin(),
     [](const Place& p) { return Point(p.x(), p.y(), p.z()); });
@@ -182,6 +180,7 @@ std::vector<Point> estimatedNormals(const std::vector<Point>& samples)
 {
   using Oriented = std::tuple<Place, Vector, Index>; // its normal, its number
   std::vector<Oriented> oriented;
+  oriented.reserve(samples.size());
   for (const Point& p : samples)
   {
     oriented.emplace_back(Place(p.x(), p.y(), p.z()), Vector(0, 0, 0), count(oriented));

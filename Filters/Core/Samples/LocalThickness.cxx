@@ -96,11 +96,9 @@ public:
 private:
   static std::vector<Point> positionsOf(const std::vector<WedgeEdge>& edges)
   {
-    std::vector<Point> result;
-    for (const WedgeEdge& edge : edges)
-    {
-      result.push_back((edge.ends[0] + edge.ends[1]) / 2);
-    }
+    std::vector<Point> result(edges.size());
+    std::transform(edges.begin(), edges.end(), result.begin(),
+      [](const WedgeEdge& edge) -> Point { return (edge.ends[0] + edge.ends[1]) / 2; });
     return result;
   }
 
