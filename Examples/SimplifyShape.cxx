@@ -156,13 +156,15 @@ void run(vtkSimplifyShape* simplify, const Arguments& arguments)
 }
 
 /// Writes the arrays as text within the XML. By default VTK appends raw data after the XML, which
-/// ParaView 5.11 can't read with the expat library of an updated Debian 12.
+/// ParaView 5.11 can't read with the expat library of an updated Debian 12. The lowest level of compression takes
+/// 40 % of the usual one's time; the files become 4 % larger.
 template <typename Writer>
 void write(vtkDataObject* data, const std::string& name, OutputFolder& folder)
 {
   vtkNew<Writer> writer;
   writer->SetInputData(data);
   writer->SetDataModeToBinary();
+  writer->SetCompressionLevel(1);
   folder.write(writer, name);
 }
 
