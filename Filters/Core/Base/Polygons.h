@@ -2,30 +2,13 @@
 #ifndef medial_Polygons_h
 #define medial_Polygons_h
 
+#include "Base/EdgeTable.h"
 #include "Base/Types.h"
 
-#include <algorithm>
-#include <unordered_set>
 #include <vector>
 
 namespace medial
 {
-/// Edges by their two corners.
-class EdgeSet
-{
-public:
-  void insert(Index a, Index b) { this->edges.insert(key(a, b)); }
-  bool contains(Index a, Index b) const { return this->edges.count(key(a, b)) > 0; }
-
-private:
-  static std::uint64_t key(Index a, Index b)
-  {
-    return static_cast<std::uint64_t>(std::min(a, b)) << 32 |
-      static_cast<std::uint64_t>(std::max(a, b));
-  }
-  std::unordered_set<std::uint64_t> edges;
-};
-
 /// Cuts a convex polygon into a fan of triangles, oriented as it is.
 ///
 /// A diagonal must not be an edge that exists already, or two faces would be glued together along it.

@@ -2,28 +2,23 @@
 #include "Base/SolidMeasures.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/EdgeTable.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 namespace medial
 {
 namespace
 {
-std::uint64_t halfEdge(Index from, Index to)
-{
-  return static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint64_t>(to);
-}
-
 /// Fills closed and manifold. Corner 3 * triangle + k is where a triangle has a point. Corners at one
 /// point are joined across the edges there; a manifold has one group of corners at each point.
 void checkSurface(const std::vector<Triangle>& triangles, std::size_t pointCount,
   SolidMeasures& result, const Execution& execution)
 {
-  std::unordered_map<std::uint64_t, Index> triangleAt;
+  EdgeTable triangleAt(3 * triangles.size());
   result.closed = true;
   for (Index t = 0; t < count(triangles); ++t)
   {
@@ -31,7 +26,7 @@ void checkSurface(const std::vector<Triangle>& triangles, std::size_t pointCount
     for (int k = 0; k < 3; ++k)
     {
       const Index a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-      result.closed = triangleAt.insert({ halfEdge(a, b), t }).second && result.closed;
+      result.closed = triangleAt.insert(a, b, t) && result.closed;
     }
   }
   DisjointSets fans(3 * count(triangles));
@@ -41,18 +36,18 @@ void checkSurface(const std::vector<Triangle>& triangles, std::size_t pointCount
     for (int k = 0; k < 3; ++k)
     {
       const Index a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-      const auto opposite = triangleAt.find(halfEdge(b, a));
-      if (opposite == triangleAt.end())
+      const Index opposite = triangleAt.find(b, a);
+      if (opposite == None)
       {
         result.closed = false;
         continue;
       }
-      const Triangle& other = triangles[opposite->second];
+      const Triangle& other = triangles[opposite];
       for (int j = 0; j < 3; ++j)
       {
         if (other[j] == a)
         {
-          fans.unite(3 * t + k, 3 * opposite->second + j);
+          fans.unite(3 * t + k, 3 * opposite + j);
         }
       }
     }

@@ -2,11 +2,12 @@
 #include "Crust/CrustSurface.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/EdgeTable.h"
 #include "Base/Frame.h"
+#include "Base/Lists.h"
 #include "Base/Polygons.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace medial
 {
@@ -16,8 +17,8 @@ namespace
 /// dual, so a face is the cycle of tetrahedra around its dual edge.
 struct CellFaces
 {
-  std::vector<std::vector<Index>> cycles; ///< counter-clockwise seen from outside
-  std::vector<Edge> balls;                ///< inner, outer
+  Lists<Index> cycles;     ///< counter-clockwise seen from outside
+  std::vector<Edge> balls; ///< inner, outer
 };
 
 /// The cells around the dual edge (inner, outer), counter-clockwise seen from the outer ball; empty
@@ -56,7 +57,7 @@ CellFaces cellFaces(const PowerDiagram& diagram, const Execution& execution)
       {
         std::swap(a, b);
       }
-      result.cycles.push_back(cycleAround(mesh, a, b, c));
+      result.cycles.append(cycleAround(mesh, a, b, c));
       result.balls.push_back({ a, b });
     }
   }
@@ -102,9 +103,9 @@ public:
 
   /// The vertices of a face, neighbours that become one named once. Fewer than 3 where the face
   /// shrinks to an edge or a point.
-  std::vector<Index> corners(Index face)
+  void corners(Index face, std::vector<Index>& result)
   {
-    std::vector<Index> result;
+    result.clear();
     for (const Index cell : this->faces.cycles[face])
     {
       const Index vertex = this->vertexOf(cell);
@@ -117,7 +118,6 @@ public:
     {
       result.pop_back();
     }
-    return result;
   }
 
 private:
@@ -135,9 +135,10 @@ private:
   /// joins belong to different sheets of it.
   void unite()
   {
-    for (const std::vector<Index>& cycle : this->faces.cycles)
+    for (Index face = 0; face < this->faces.cycles.size(); ++face)
     {
-      for (std::size_t k = 0; k < cycle.size(); ++k)
+      const auto cycle = this->faces.cycles[face];
+      for (Index k = 0; k < cycle.size(); ++k)
       {
         const Index a = cycle[k], b = cycle[(k + 1) % cycle.size()];
         if (this->fallTogether(a, b))
@@ -155,10 +156,11 @@ private:
   {
     std::vector<Index> euler(this->split.size(), 0); // doubled: each edge is met twice
     std::vector<char> counted(this->split.size(), 0);
-    for (const std::vector<Index>& cycle : this->faces.cycles)
+    for (Index face = 0; face < this->faces.cycles.size(); ++face)
     {
+      const auto cycle = this->faces.cycles[face];
       bool inside = true;
-      for (std::size_t k = 0; k < cycle.size(); ++k)
+      for (Index k = 0; k < cycle.size(); ++k)
       {
         const Index set = this->sets.find(cycle[k]);
         euler[set] += counted[cycle[k]] ? 0 : 2;
@@ -167,7 +169,10 @@ private:
         euler[set] -= sameSet;
         inside = inside && sameSet;
       }
-      euler[cycle.empty() ? 0 : this->sets.find(cycle[0])] += inside && !cycle.empty() ? 2 : 0;
+      if (inside && cycle.size() > 0)
+      {
+        euler[this->sets.find(cycle[0])] += 2;
+      }
     }
     for (std::size_t set = 0; set < this->split.size(); ++set)
     {
@@ -186,16 +191,15 @@ private:
       any = any || !this->split[set];
       this->split[set] = 1;
     };
-    std::unordered_map<std::uint64_t, int> uses;
-    for (Index face = 0; face < count(this->faces.cycles); ++face)
+    EdgeTable sides(this->faces.cycles.items.size());
+    std::vector<Index> loop;
+    for (Index face = 0; face < this->faces.cycles.size(); ++face)
     {
       this->execution.pollAt(face);
-      std::vector<Index> loop = this->corners(face);
+      this->corners(face, loop);
       for (std::size_t k = 0; k < loop.size() && loop.size() > 2; ++k)
       {
-        const auto key = static_cast<std::uint64_t>(loop[k]) << 32 |
-          static_cast<std::uint64_t>(loop[(k + 1) % loop.size()]);
-        if (++uses[key] > 1)
+        if (!sides.insert(loop[k], loop[(k + 1) % loop.size()], face))
         {
           splitSet(loop[k]);
           splitSet(loop[(k + 1) % loop.size()]);
@@ -223,7 +227,7 @@ private:
 /// The contracted faces by their points.
 struct Polygons
 {
-  std::vector<std::vector<Index>> corners;
+  Lists<Index> corners;
   std::vector<Edge> balls; ///< inner, outer
 };
 
@@ -233,15 +237,12 @@ std::vector<Index> placeOfVertex(
   const PowerDiagram& diagram, const CellFaces& faces, Contraction& contraction)
 {
   std::vector<Index> best(diagram.dual.cells.size(), None);
-  for (const std::vector<Index>& cycle : faces.cycles)
+  for (const Index cell : faces.cycles.items)
   {
-    for (const Index cell : cycle)
-    {
-      Index& chosen = best[contraction.vertexOf(cell)];
-      const bool better = chosen == None ||
-        (diagram.sampleOfVertex[chosen] == None && diagram.sampleOfVertex[cell] != None);
-      chosen = better ? cell : chosen;
-    }
+    Index& chosen = best[contraction.vertexOf(cell)];
+    const bool better = chosen == None ||
+      (diagram.sampleOfVertex[chosen] == None && diagram.sampleOfVertex[cell] != None);
+    chosen = better ? cell : chosen;
   }
   return best;
 }
@@ -255,10 +256,11 @@ Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, CrustSurf
   const std::vector<Index> place = placeOfVertex(diagram, faces, contraction);
   Polygons result;
   std::vector<Index> number(diagram.dual.cells.size(), None);
-  for (Index face = 0; face < count(faces.cycles); ++face)
+  std::vector<Index> corners;
+  for (Index face = 0; face < faces.cycles.size(); ++face)
   {
     execution.pollAt(face);
-    std::vector<Index> corners = contraction.corners(face);
+    contraction.corners(face, corners);
     if (corners.size() < 3)
     {
       continue;
@@ -273,7 +275,7 @@ Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, CrustSurf
       }
       vertex = number[vertex];
     }
-    result.corners.push_back(std::move(corners));
+    result.corners.append(corners);
     result.balls.push_back(faces.balls[face]);
   }
   return result;
@@ -285,18 +287,21 @@ CrustSurface crustSurface(const PowerDiagram& diagram, const Execution& executio
   CrustSurface surface;
   const Polygons faces = polygons(diagram, cellFaces(diagram, execution), surface, execution);
   // All sides first: no diagonal may be the side of another polygon.
-  EdgeSet edges;
-  for (const std::vector<Index>& corners : faces.corners)
+  EdgeSet edges(faces.corners.items.size());
+  for (Index face = 0; face < faces.corners.size(); ++face)
   {
-    for (std::size_t k = 0; k < corners.size(); ++k)
+    const auto corners = faces.corners[face];
+    for (Index k = 0; k < corners.size(); ++k)
     {
       edges.insert(corners[k], corners[(k + 1) % corners.size()]);
     }
   }
-  for (Index face = 0; face < count(faces.corners); ++face)
+  std::vector<Index> polygon;
+  for (Index face = 0; face < faces.corners.size(); ++face)
   {
     execution.pollAt(face);
-    for (const Triangle& t : triangulate(faces.corners[face], surface.points, edges))
+    polygon.assign(faces.corners[face].begin(), faces.corners[face].end());
+    for (const Triangle& t : triangulate(polygon, surface.points, edges))
     {
       surface.triangles.push_back(t);
       surface.innerBall.push_back(faces.balls[face][0]);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/EdgeTable.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <utility>
+
+using medial::EdgeSet;
+using medial::EdgeTable;
+using medial::Index;
+using medial::None;
+
+namespace
+{
+TEST(EdgeTable, HoldsTheFirstNumberOfEachEdge)
+{
+  constexpr unsigned seed = 5;
+  SCOPED_TRACE(::testing::Message() << "seed " << seed);
+  std::mt19937 random(seed);
+  for (const Index corners : { 3, 50, 2000 })
+  {
+    EdgeTable table;
+    std::map<std::pair<Index, Index>, Index> expected;
+    for (Index i = 0; i < 5000; ++i)
+    {
+      const Index a = static_cast<Index>(random() % corners);
+      const Index b = static_cast<Index>(random() % corners);
+      EXPECT_EQ(table.insert(a, b, i), expected.insert({ { a, b }, i }).second);
+      const Index c = static_cast<Index>(random() % corners);
+      const auto found = expected.find({ a, c });
+      EXPECT_EQ(table.find(a, c), found == expected.end() ? None : found->second);
+    }
+  }
+}
+
+TEST(EdgeTable, TellsTheDirectionsOfAnEdgeApart)
+{
+  EdgeTable table;
+  EXPECT_TRUE(table.insert(1, 2, 7));
+  EXPECT_EQ(table.find(2, 1), None);
+  EXPECT_TRUE(table.insert(2, 1, 8));
+  EXPECT_EQ(table.find(1, 2), 7);
+}
+
+TEST(EdgeTable, IsEmptyAtFirst)
+{
+  EXPECT_EQ(EdgeTable().find(0, 0), None);
+  EXPECT_EQ(EdgeTable(1000).find(0, 0), None);
+}
+
+TEST(EdgeSet, TakesBothDirectionsForOneEdge)
+{
+  EdgeSet edges;
+  edges.insert(4, 3);
+  EXPECT_TRUE(edges.contains(3, 4));
+  EXPECT_TRUE(edges.contains(4, 3));
+  EXPECT_FALSE(edges.contains(3, 3));
+}
+}
