@@ -220,7 +220,7 @@ inline std::string bytesOf(const medial::PolarBalls& b)
   bytes.add(b.samples).add(b.innerBall).add(b.outerBall);
   bytes.add(b.balls).add(b.sides).add(b.touchesGuard).add(b.volumes).add(b.poleVolumes);
   bytes.add(b.ballSamples);
-  return bytes.add(b.spacing).add(b.cells).text;
+  return bytes.add(b.spacing).add(b.triangulation.cells).text;
 }
 
 inline std::string bytesOf(const medial::PolarBallsAndSamples& made)

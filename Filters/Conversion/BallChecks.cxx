@@ -41,7 +41,7 @@ void checkPlaces(const PolarBalls& balls, const Frame& frame)
 void checkSides(const PolarBalls& balls)
 {
   std::vector<char> isCorner(balls.balls.size(), 0);
-  for (const Tetrahedron& cell : balls.cells)
+  for (const Tetrahedron& cell : balls.triangulation.cells)
   {
     for (const Index ball : cell)
     {
@@ -137,7 +137,7 @@ void checkBallsOfSamples(
 }
 }
 
-void checkBalls(const PolarBalls& balls)
+void checkBalls(PolarBalls& balls)
 {
   const Frame frame = frameOf(balls.samples);
   const double size = boundingBox(balls.samples).diagonal().norm();

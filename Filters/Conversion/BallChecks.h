@@ -6,10 +6,10 @@
 
 namespace medial
 {
-/// What the stages after vtkPolarBalls rely on, beside lengths and ranges of arrays: the list is in
-/// README.md. Takes time linear in the number of balls, samples and tetrahedra.
+/// Checks what the stages after vtkPolarBalls rely on, beside lengths and ranges of arrays: the list is in
+/// README.md. Finds the neighbours of the tetrahedra, which no array holds. Takes time linear in the number of balls, samples and tetrahedra.
 /// @throw InvalidInput  it isn't so; the message names array, element and remedy
-void checkBalls(const PolarBalls& balls);
+void checkBalls(PolarBalls& balls);
 }
 
 #endif

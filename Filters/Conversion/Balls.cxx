@@ -89,7 +89,7 @@ void addCounts(vtkFieldData* field, const PolarBallsAndSamples& made)
 void writeBalls(const PolarBalls& balls, vtkUnstructuredGrid* output)
 {
   output->SetPoints(points(balls.balls, [](const Ball& ball) { return ball.center; }));
-  output->SetCells(VTK_TETRA, cellArray(balls.cells));
+  output->SetCells(VTK_TETRA, cellArray(balls.triangulation.cells));
   vtkPointData* ballData = output->GetPointData();
   add<vtkDoubleArray>(ballData, names::Radius, balls.balls, &Ball::radius);
   addInnerRadii(ballData, balls);
@@ -272,8 +272,9 @@ PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
   result.ballSamples =
     field.lists(names::BallSampleOffsets, names::BallSamples, ballCount, sampleCount);
   result.spacing = field.reals(names::SampleSpacing, 1, std::numeric_limits<double>::min()).front();
-  result.cells = readTetrahedra(input, ballCount);
-  Arrays(input->GetCellData(), "cell", TakePolarBalls).checkLengths(count(result.cells));
+  result.triangulation.cells = readTetrahedra(input, ballCount);
+  Arrays(input->GetCellData(), "cell", TakePolarBalls)
+    .checkLengths(count(result.triangulation.cells));
   checkBalls(result);
   return result;
 }

@@ -31,13 +31,13 @@ bool isPositive(const std::array<Point, 4>& corners, double error)
 void checkOrientation(const PolarBalls& balls, double moved, double movedFar)
 {
   const Eigen::AlignedBox3d box = boundingBox(balls.samples);
-  for (Index c = 0; c < count(balls.cells); ++c)
+  for (Index c = 0; c < count(balls.triangulation.cells); ++c)
   {
     std::array<Point, 4> corners;
     double farthest = 0;
     for (int i = 0; i < 4; ++i)
     {
-      corners[i] = balls.balls[balls.cells[c][i]].center;
+      corners[i] = balls.balls[balls.triangulation.cells[c][i]].center;
       farthest = std::max(farthest, box.exteriorDistance(corners[i]));
     }
     if (!isPositive(corners, moved + movedFar * farthest))
@@ -109,10 +109,11 @@ void checkClosed(const std::vector<Triangle>& hull)
 }
 }
 
-void checkTetrahedra(const PolarBalls& balls, double moved, double movedFar)
+void checkTetrahedra(PolarBalls& balls, double moved, double movedFar)
 {
   checkOrientation(balls, moved, movedFar);
-  const Tetrahedra mesh = withNeighbors(balls.cells);
+  balls.triangulation = withNeighbors(std::move(balls.triangulation.cells));
+  const Tetrahedra& mesh = balls.triangulation;
   std::vector<Triangle> hull;
   for (Index c = 0; c < count(mesh.cells); ++c)
   {

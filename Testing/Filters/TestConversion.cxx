@@ -82,7 +82,7 @@ TEST(Conversion, ReadsThePolarBallsThatItWrote)
   EXPECT_EQ(read.ballSamples.offsets, written.ballSamples.offsets);
   EXPECT_EQ(read.ballSamples.items, written.ballSamples.items);
   EXPECT_EQ(read.spacing, written.spacing);
-  EXPECT_EQ(read.cells, written.cells);
+  EXPECT_EQ(read.triangulation.cells, written.triangulation.cells);
 }
 
 TEST(Conversion, ReadsTheMedialAxisThatItWrote)

@@ -10,7 +10,7 @@ namespace medial
 std::vector<Crossing> crossings(
   const PolarBalls& balls, const SurfaceTree& solid, const Execution& execution)
 {
-  const std::vector<Edge> edges = edgeNumbers(balls.cells, count(balls.balls)).edges;
+  const std::vector<Edge> edges = edgeNumbers(balls.triangulation.cells, count(balls.balls)).edges;
   std::vector<std::optional<Crossing>> met(edges.size());
   execution.forEach(count(edges), [&](Index e) {
     const auto& [a, b] = edges[e];

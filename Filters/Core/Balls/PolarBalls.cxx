@@ -254,9 +254,9 @@ PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
   result.samples = samples;
   const std::vector<Index> ballOfCell = numberBalls(spheres, polesOfSamples.isPole, result);
   collectSamples(spheres, ballOfCell, distinct.ids, result);
-  const Tetrahedra mesh = powerCells(result.balls, execution.between(0.2, 0.8));
+  result.triangulation = powerCells(result.balls, execution.between(0.2, 0.8));
+  const Tetrahedra& mesh = result.triangulation;
   const std::vector<Edge> edges = edgeNumbers(mesh.cells, count(result.balls)).edges;
-  result.cells = mesh.cells;
 
   const std::vector<std::array<Index, 2>> ballsOfSample =
     ballsOfPoles(polesOfSamples.ofSample, ballOfCell);

@@ -6,6 +6,7 @@
 #include "Base/Execution.h"
 #include "Base/Lists.h"
 #include "Base/SurfaceTree.h"
+#include "Base/Tetrahedra.h"
 #include "Base/Types.h"
 #include "Base/Warnings.h"
 
@@ -37,8 +38,7 @@ struct PolarBalls
 
   double spacing = 0; ///< mean distance of a distinct sample to the nearest other one
 
-  /// Cells of the regular triangulation of the balls (weights: squared radii), positively oriented.
-  std::vector<Tetrahedron> cells;
+  Tetrahedra triangulation; ///< the regular one of the balls (weights: squared radii)
 };
 
 /// What is known about the samples that no later stage reads: one entry for each sample, in the order

@@ -14,7 +14,7 @@ PowerShape powerShape(const PolarBalls& polarBalls, const Execution& execution)
 {
   const std::vector<char> inner = innerBalls(polarBalls.sides);
   PowerShape shape;
-  shape.triangulation = withNeighbors(polarBalls.cells);
+  shape.triangulation = polarBalls.triangulation;
   const Tetrahedra& mesh = shape.triangulation;
   execution.report(0.5);
   shape.contains.resize(mesh.cells.size());

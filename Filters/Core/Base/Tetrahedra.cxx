@@ -5,46 +5,32 @@
 #include "Base/Lists.h"
 
 #include <algorithm>
-#include <tuple>
+#include <cstdint>
 #include <utility>
 
 namespace medial
 {
 namespace
 {
-// Equal triangles of two cells, and equal edges of many, are found by sorting. A sort of all of them would
-// cost n log n. Grouped by their lowest corner first, in linear time, only short lists are to be sorted.
+// Equal triangles of two cells, and equal edges of many, are found in lists by their lowest corner, which are
+// made in linear time: a sort of all simplices would cost n log n.
 
-/// A simplex's corners but the lowest, ascending, and where it comes from (4 * cell + i and such).
-struct Place
+/// A triangle's upper corners and where it comes from: 4 * cell + i.
+struct TriangleOfCell
 {
-  Index second, third, where;
-  bool operator<(const Place& other) const
+  std::uint64_t upper; ///< the middle corner, then the highest one
+  Index where;
+  bool operator<(const TriangleOfCell& other) const
   {
-    return std::tie(this->second, this->third, this->where) <
-      std::tie(other.second, other.third, other.where);
+    return this->upper != other.upper ? this->upper < other.upper : this->where < other.where;
   }
 };
 
-/// All simplices, in lists by their lowest corner. Each list is sorted, so that equal simplices follow
-/// each other.
-/// @param simplex  simplex(cell, k): lowest corner and Place of simplex k of `perCell` of a cell
-template <typename Simplex>
-Lists<Place> byLowestCorner(Index cellCount, int perCell, Index pointCount, const Simplex& simplex)
+/// An edge's upper corner and where it comes from: 6 * cell + k.
+struct EdgeOfCell
 {
-  Lists<Place> places = listsByKey<Place>(pointCount, [&](const auto& add) {
-    for (Index c = 0; c < cellCount; ++c)
-    {
-      for (int k = 0; k < perCell; ++k)
-      {
-        const std::pair<Index, Place> entry = simplex(c, k);
-        add(entry.first, entry.second);
-      }
-    }
-  });
-  places.sortEach();
-  return places;
-}
+  Index upper, where;
+};
 
 Index highestCorner(const std::vector<Tetrahedron>& cells)
 {
@@ -81,20 +67,29 @@ std::vector<Tetrahedron> renumbered(
 
 Tetrahedra withNeighbors(std::vector<Tetrahedron> cells)
 {
-  const auto triangle = [&cells](Index c, int i) {
-    Triangle t = facet(cells[c], i);
-    std::sort(t.begin(), t.end());
-    return std::make_pair(t[0], Place{ t[1], t[2], 4 * c + i });
+  const auto addTriangles = [&cells](const auto& add) {
+    for (Index c = 0; c < count(cells); ++c)
+    {
+      for (int i = 0; i < 4; ++i)
+      {
+        Triangle t = facet(cells[c], i);
+        std::sort(t.begin(), t.end());
+        add(t[0],
+          TriangleOfCell{
+            static_cast<std::uint64_t>(t[1]) << 32 | static_cast<std::uint32_t>(t[2]), 4 * c + i });
+      }
+    }
   };
-  const Lists<Place> lists = byLowestCorner(count(cells), 4, highestCorner(cells) + 1, triangle);
+  Lists<TriangleOfCell> lists = listsByKey<TriangleOfCell>(highestCorner(cells) + 1, addTriangles);
+  lists.sortEach();
   Tetrahedra result;
   result.neighbors.assign(cells.size(), { None, None, None, None });
   for (Index p = 0; p < lists.size(); ++p)
   {
     for (Index i = 0; i + 1 < lists[p].size(); ++i)
     {
-      const Place &a = lists[p][i], &b = lists[p][i + 1];
-      if (a.second != b.second || a.third != b.third)
+      const TriangleOfCell &a = lists[p][i], &b = lists[p][i + 1];
+      if (a.upper != b.upper)
       {
         continue;
       }
@@ -113,24 +108,42 @@ Tetrahedra withNeighbors(std::vector<Tetrahedron> cells)
 
 EdgeNumbers edgeNumbers(const std::vector<Tetrahedron>& cells, Index pointCount)
 {
-  const auto edge = [&cells](Index c, int k) {
-    const Index a = cells[c][cellEdges[k][0]], b = cells[c][cellEdges[k][1]];
-    return std::make_pair(std::min(a, b), Place{ std::max(a, b), 0, 6 * c + k });
-  };
-  const Lists<Place> lists = byLowestCorner(count(cells), 6, pointCount, edge);
+  // The edges of all cells in lists by their lower corner.
+  const Lists<EdgeOfCell> lists = listsByKey<EdgeOfCell>(pointCount, [&](const auto& add) {
+    for (Index c = 0; c < count(cells); ++c)
+    {
+      for (int k = 0; k < 6; ++k)
+      {
+        const Index a = cells[c][cellEdges[k][0]], b = cells[c][cellEdges[k][1]];
+        add(std::min(a, b), EdgeOfCell{ std::max(a, b), 6 * c + k });
+      }
+    }
+  });
   EdgeNumbers result;
   result.ofCell.resize(cells.size());
+  std::vector<Index> lower(pointCount, None),
+    number(pointCount, None); // of the edge to each upper corner
+  std::vector<Index> upper;
   for (Index p = 0; p < pointCount; ++p)
   {
-    Index last = None;
-    for (const Place& place : lists[p])
+    upper.clear();
+    for (const EdgeOfCell& edge : lists[p])
     {
-      if (place.second != last)
+      if (lower[edge.upper] != p)
       {
-        result.edges.push_back({ p, place.second });
-        last = place.second;
+        lower[edge.upper] = p;
+        upper.push_back(edge.upper);
       }
-      result.ofCell[place.where / 6][place.where % 6] = count(result.edges) - 1;
+    }
+    std::sort(upper.begin(), upper.end());
+    for (const Index q : upper)
+    {
+      number[q] = count(result.edges);
+      result.edges.push_back({ p, q });
+    }
+    for (const EdgeOfCell& edge : lists[p])
+    {
+      result.ofCell[edge.where / 6][edge.where % 6] = number[edge.upper];
     }
   }
   return result;

@@ -77,6 +77,6 @@ Tetrahedra cellsOfAll(const PolarBalls& polarBalls, const std::vector<Index>& id
   {
     number[ids[i]] = i;
   }
-  return withNeighbors(renumbered(polarBalls.cells, number));
+  return { renumbered(polarBalls.triangulation.cells, number), polarBalls.triangulation.neighbors };
 }
 }

@@ -47,7 +47,7 @@ Betti topologyOf(const PolarBalls& polarBalls, const std::vector<char>& keep)
   {
     kept[b] = polarBalls.sides[b] == Side::Inner && (keep.empty() || keep[b]);
   }
-  return markedBetti(withNeighbors(polarBalls.cells), kept);
+  return markedBetti(polarBalls.triangulation, kept);
 }
 
 /// Largest distance of the points that are no samples to the union of the inner balls, 0 inside.
@@ -153,7 +153,7 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
     const FillingGoal goal{ options.clearance * spacing, options.maximumRounds,
       options.topology ? *options.topology : topologyOf(polarBalls, keep) };
     execution.poll();
-    const UntouchedCells untouched(polarBalls.cells, chosen.ids);
+    const UntouchedCells untouched(polarBalls.triangulation.cells, chosen.ids);
     execution.poll();
     filling = fillClearance(goal, back.betti, untouched, innerBalls, triangulation, diagram,
       execution.between(0.65, 0.8));

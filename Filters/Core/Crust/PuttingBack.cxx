@@ -147,7 +147,7 @@ PuttingBack putBack(const Betti& topology, const Betti& now, const PolarBalls& p
 {
   const Index before = count(chosen.ids);
   const LabelledBalls all = labelledBalls(polarBalls, frame);
-  const Regions regions = contradictedRegions(all, polarBalls.cells,
+  const Regions regions = contradictedRegions(all, polarBalls.triangulation.cells,
     renumbered(triangulation.tetrahedra().cells, chosen.ids), removedBalls(polarBalls, chosen),
     execution);
   Attempts attempts(topology, all, polarBalls.ballSamples, chosen, triangulation, now, execution);

@@ -123,10 +123,3 @@ TEST(MedialAxis, RefusesBallsWithoutInnerOnes)
   EXPECT_THROW(medial::medialAxis(medial::polarBalls(shapes::gridCube(2))), medial::InvalidInput);
   EXPECT_THROW(medial::medialAxis({}), medial::InvalidInput);
 }
-
-TEST(MedialAxis, RefusesCellsThatAreNoTriangulation)
-{
-  medial::PolarBalls balls = pipelines::of("capsule").balls();
-  balls.cells.insert(balls.cells.end(), 2, balls.cells[0]);
-  EXPECT_THROW(medial::medialAxis(balls), medial::InvalidInput);
-}

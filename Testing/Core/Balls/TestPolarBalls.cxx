@@ -167,7 +167,7 @@ TEST(PolarBalls, AreHiddenWhereNoCellHasThem)
   forEachShape([](Pipeline& p) {
     const PolarBalls& balls = p.balls();
     std::vector<char> used(balls.balls.size(), 0);
-    for (const medial::Tetrahedron& cell : balls.cells)
+    for (const medial::Tetrahedron& cell : balls.triangulation.cells)
     {
       for (const Index corner : cell)
       {
@@ -187,7 +187,7 @@ TEST(PolarBalls, CellsFormAnOrientedTriangulationOfABall)
     const PolarBalls& balls = p.balls();
     std::map<medial::Triangle, int> sides; // sum of orientations of the cells at a triangle
     std::map<medial::Triangle, int> uses;
-    for (const medial::Tetrahedron& cell : balls.cells)
+    for (const medial::Tetrahedron& cell : balls.triangulation.cells)
     {
       for (int i = 0; i < 4; ++i)
       {
@@ -215,7 +215,7 @@ TEST(PolarBalls, CellsAreNotTurnedInsideOut)
 {
   forEachShape([](Pipeline& p) {
     const PolarBalls& balls = p.balls();
-    for (const medial::Tetrahedron& c : balls.cells)
+    for (const medial::Tetrahedron& c : balls.triangulation.cells)
     {
       const auto at = [&](int i) { return balls.balls[c[i]].center; };
       const double largest =
@@ -236,7 +236,7 @@ TEST(PolarBalls, CellsAreRegular)
     Pipeline& p = pipelines::of(name);
     const PolarBalls& balls = p.balls();
     int checked = 0;
-    for (const medial::Tetrahedron& c : balls.cells)
+    for (const medial::Tetrahedron& c : balls.triangulation.cells)
     {
       Eigen::Matrix3d rows;
       Point right;
@@ -296,8 +296,14 @@ TEST(PolarBalls, CountRepeatedSamplesOnce)
   const PolarBalls a = medial::polarBalls(once);
   const medial::PolarBallsAndSamples made = medial::polarBallsAndSamples(twice);
   const PolarBalls& b = made.balls;
-  EXPECT_EQ(pipelines::Bytes().add(a.balls).add(a.sides).add(a.ballSamples).add(a.cells).text,
-    pipelines::Bytes().add(b.balls).add(b.sides).add(b.ballSamples).add(b.cells).text);
+  EXPECT_EQ(
+    pipelines::Bytes().add(a.balls).add(a.sides).add(a.ballSamples).add(a.triangulation.cells).text,
+    pipelines::Bytes()
+      .add(b.balls)
+      .add(b.sides)
+      .add(b.ballSamples)
+      .add(b.triangulation.cells)
+      .text);
   for (Index s = 0; s < medial::count(twice); ++s)
   {
     const Index original = s < medial::count(once) ? None : s - medial::count(once);

@@ -58,7 +58,7 @@ validators::Complex innerSimplices(const medial::PolarBalls& balls)
   {
     inner.push_back(side == Side::Inner ? 1 : 0);
   }
-  return markedSimplices(balls.cells, inner);
+  return markedSimplices(balls.triangulation.cells, inner);
 }
 
 Triangle sorted(Triangle triangle)
@@ -100,7 +100,7 @@ TEST(PowerShape, BettiNumbersOfMarkedCornersAreThoseOfTheRanks)
   {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const medial::PolarBalls balls = medial::polarBalls(shapes::cloud(80, seed));
-    const medial::Tetrahedra mesh = medial::withNeighbors(balls.cells);
+    const medial::Tetrahedra& mesh = balls.triangulation;
     std::mt19937 random(seed);
     std::vector<char> marked;
     for (std::size_t b = 0; b < balls.balls.size(); ++b)
@@ -110,7 +110,7 @@ TEST(PowerShape, BettiNumbersOfMarkedCornersAreThoseOfTheRanks)
       marked.push_back(may && random() % 3 != 0 ? 1 : 0);
     }
     EXPECT_EQ(medial::markedBetti(mesh, marked),
-      validators::bettiNumbers(markedSimplices(balls.cells, marked)));
+      validators::bettiNumbers(markedSimplices(balls.triangulation.cells, marked)));
   }
 }
 
@@ -118,7 +118,7 @@ TEST(PowerShape, ContainsTheCellsOfInnerBalls)
 {
   forEachShape([](Pipeline& p) {
     const medial::PowerShape& shape = p.powerShape();
-    ASSERT_EQ(shape.triangulation.cells, p.balls().cells);
+    ASSERT_EQ(shape.triangulation.cells, p.balls().triangulation.cells);
     for (Index c = 0; c < medial::count(shape.contains); ++c)
     {
       const Tetrahedron& cell = shape.triangulation.cells[c];
@@ -184,12 +184,17 @@ TEST(PowerShape, IsTheSameOnManyThreads)
   }
 }
 
-TEST(PowerShape, RefusesCellsThatAreNoTriangulation)
+TEST(Tetrahedra, AreRefusedIfATriangleHasThree)
 {
-  medial::PolarBalls balls = pipelines::of("capsule").balls();
-  balls.cells.push_back(balls.cells[0]);
-  balls.cells.push_back(balls.cells[0]);
-  EXPECT_THROW(medial::powerShape(balls), medial::InvalidInput);
+  std::vector<medial::Tetrahedron> cells = pipelines::of("capsule").balls().triangulation.cells;
+  cells.insert(cells.end(), 2, cells[0]);
+  EXPECT_THROW(medial::withNeighbors(cells), medial::InvalidInput);
+}
+
+TEST(Tetrahedra, FindTheNeighborsThatATriangulationKnows)
+{
+  const medial::Tetrahedra& known = pipelines::of("capsule").balls().triangulation;
+  EXPECT_EQ(medial::withNeighbors(known.cells).neighbors, known.neighbors);
 }
 
 TEST(Tetrahedra, FacetsLookAtTheOppositeCorner)
