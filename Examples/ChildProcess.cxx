@@ -19,6 +19,12 @@
 
 namespace
 {
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool limitsMemory = false; // the sanitizer takes terabytes of address space
+#else
+constexpr bool limitsMemory = true;
+#endif
+
 void limit(int resource, rlim_t value)
 {
   rlimit current = {};
@@ -43,9 +49,10 @@ void apply(const Limits& limits)
   timer.it_value.tv_sec = static_cast<time_t>(whole);
   timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (limits.seconds - whole));
   setitimer(ITIMER_PROF, &timer, nullptr); // SIGPROF ends the process
-#ifndef __SANITIZE_ADDRESS__               // which takes terabytes of address space
-  limit(RLIMIT_AS, addressSpace() + limits.bytes);
-#endif
+  if (limitsMemory)
+  {
+    limit(RLIMIT_AS, addressSpace() + limits.bytes);
+  }
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
