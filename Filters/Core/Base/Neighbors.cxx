@@ -41,13 +41,20 @@ Neighbors::Neighbors(const std::vector<Point>& points)
   {
     this->implementation->tree.insert({ toKernel(points[i]), i });
   }
-  this->implementation->tree.build(); // else the first search would build it, on each thread
+  if (!points.empty()) // CGAL has no empty trees
+  {
+    this->implementation->tree.build(); // else the first search would build it, on each thread
+  }
 }
 
 Neighbors::~Neighbors() = default;
 
 std::vector<Index> Neighbors::nearest(const Point& place, Index howMany) const
 {
+  if (this->implementation->points.empty())
+  {
+    return {};
+  }
   const Search search(this->implementation->tree, toKernel(place), static_cast<unsigned>(howMany));
   std::vector<std::pair<double, Index>> found;
   for (const auto& [numbered, squaredDistance] : search)
@@ -79,6 +86,10 @@ std::vector<Index> Neighbors::within(Index point, double distance) const
 
 std::vector<Index> Neighbors::within(const Point& place, double distance) const
 {
+  if (this->implementation->points.empty())
+  {
+    return {};
+  }
   const Numbered center{ toKernel(place), None };
   std::vector<Numbered> found;
   this->implementation->tree.search(

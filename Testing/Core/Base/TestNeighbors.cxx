@@ -36,6 +36,14 @@ TEST(Neighbors, AreTheNearestPointsInOrder)
   }
 }
 
+TEST(Neighbors, AreNoneOfNoPoints)
+{
+  const std::vector<Point> points;
+  const medial::Neighbors neighbors(points);
+  EXPECT_TRUE(neighbors.nearest(Point(0, 0, 0), 3).empty());
+  EXPECT_TRUE(neighbors.within(Point(0, 0, 0), 1).empty());
+}
+
 TEST(Neighbors, AreAllOthersWhereThereAreFew)
 {
   const std::vector<Point> points = shapes::cloud(4, 1);
