@@ -47,6 +47,8 @@
  *  - `Fallback` (unsigned char): 1 where the axis, or connected pieces of it, was made by collapse
  *    of the power shape.
  *  - `Kappa` (double): which Voronoi vertices were candidates, see README.md; -1 with the fallback.
+ *  - `FilledGaps` (vtkIdType): places where vertices beyond these candidates were taken, to fill a gap
+ *    that the power shape doesn't have; 0 where none had to be, and with the fallback.
  *  - `NumberOfOffAxisBalls` (vtkIdType): inner balls that are not on the axis.
  *
  * An axis made by the fallback becomes a warning, with the code `fallback`, see vtkPolarBalls.

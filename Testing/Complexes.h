@@ -75,6 +75,7 @@ inline MedialAxis axisOf(std::vector<Point> points, AxisCells cells)
   axis.certificate = true;
   axis.fallback = false;
   axis.kappa = 0;
+  axis.filledGaps = 0;
   return axis;
 }
 

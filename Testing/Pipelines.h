@@ -249,7 +249,8 @@ inline std::string bytesOf(const medial::MedialAxis& a)
     .add(a.betti)
     .add(a.certificate)
     .add(a.fallback)
-    .add(a.kappa);
+    .add(a.kappa)
+    .add(a.filledGaps);
   return bytes.text;
 }
 

@@ -107,6 +107,7 @@ constexpr const char* TopologyKept = "TopologyKept";
 constexpr const char* Certificate = "Certificate";
 constexpr const char* Fallback = "Fallback";
 constexpr const char* Kappa = "Kappa";
+constexpr const char* FilledGaps = "FilledGaps";
 constexpr const char* SampleDiagonal = "SampleDiagonal";
 constexpr const char* NumberOfOffAxisBalls = "NumberOfOffAxisBalls";
 

@@ -128,6 +128,7 @@ void write(const MedialAxis& axis, vtkUnstructuredGrid* balls, vtkPolyData* outp
   addOne<vtkUnsignedCharArray>(field, names::TopologyKept, 1);
   addOne<vtkUnsignedCharArray>(field, names::Fallback, axis.fallback);
   addOne<vtkDoubleArray>(field, names::Kappa, axis.kappa);
+  addOne<vtkIdTypeArray>(field, names::FilledGaps, axis.filledGaps);
   addOne<vtkDoubleArray>(field, names::SampleDiagonal, axis.sampleDiagonal);
   addOne<vtkIdTypeArray>(field, names::NumberOfOffAxisBalls, offAxisBalls(axis.ballOwner));
 }
@@ -170,6 +171,11 @@ MedialAxis readMedialAxis(vtkPolyData* input)
   result.certificate = field.flags(names::Certificate, 1).front() != 0;
   result.fallback = field.flags(names::Fallback, 1).front() != 0;
   result.kappa = field.reals(names::Kappa, 1).front();
+  result.filledGaps = 0;
+  if (field.has(names::FilledGaps)) // files of an earlier version lack it
+  {
+    result.filledGaps = field.indices(names::FilledGaps, 1, 0, Largest).front();
+  }
   checkAxis(result);
   return result;
 }

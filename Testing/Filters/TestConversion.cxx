@@ -109,6 +109,7 @@ TEST(Conversion, ReadsTheMedialAxisThatItWrote)
   EXPECT_EQ(read.certificate, written.certificate);
   EXPECT_EQ(read.fallback, written.fallback);
   EXPECT_EQ(read.kappa, written.kappa);
+  EXPECT_EQ(read.filledGaps, written.filledGaps);
 }
 
 TEST(Conversion, TellsWhatToDoWithFilesOfAnEarlierVersion)

@@ -40,10 +40,11 @@ TEST(MedialAxis, HasTheArraysOfItsHeader)
     (std::vector<std::string>{ "ErosionThickness double 1", "Lambda double 1",
       "ObjectAngle double 1", "PolygonId idtype 1", "SiteSamples idtype 2" }));
   std::vector<std::string> expected = filterTest::passedOn(boxPipeline().balls->GetOutput());
-  for (const char* array : { "BallOwner idtype 1", "BallPoleVolume double 1", "BallVolume double 1",
-         "BettiAxis idtype 3", "BettiUnprunedAxis idtype 3", "Certificate unsigned char 1",
-         "Fallback unsigned char 1", "Kappa double 1", "NumberOfOffAxisBalls idtype 1",
-         "SampleDiagonal double 1", "TopologyKept unsigned char 1" })
+  for (const char* array :
+    { "BallOwner idtype 1", "BallPoleVolume double 1", "BallVolume double 1", "BettiAxis idtype 3",
+      "BettiUnprunedAxis idtype 3", "Certificate unsigned char 1", "Fallback unsigned char 1",
+      "FilledGaps idtype 1", "Kappa double 1", "NumberOfOffAxisBalls idtype 1",
+      "SampleDiagonal double 1", "TopologyKept unsigned char 1" })
   {
     expected.emplace_back(array);
   }

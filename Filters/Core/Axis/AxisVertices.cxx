@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/AxisVertices.h"
 
+#include "Axis/OutsideCounts.h"
 #include "Base/DisjointSets.h"
 #include "Base/Frame.h"
 
-#include <array>
 #include <utility>
 
 // To make one vertex of several cells contracts what is dual to them. That keeps the topology if the cells
@@ -49,20 +49,8 @@ public:
     : sites(triangulation)
     , classes(classOfCell)
     , firstCell(triangulation.mesh.cells.size(), None)
-    , cellsAtVertex(triangulation.siteCount, 0)
-    , cellsAtEdge(triangulation.edges.edges.size(), 0)
+    , outside(triangulation)
   {
-    for (Index c = 0; c < count(this->firstCell); ++c)
-    {
-      this->addAround(c, 1);
-      for (int i = 0; i < 4; ++i)
-      {
-        if (triangulation.mesh.neighbors[c][i] == None)
-        {
-          this->addBeyond(c, i);
-        }
-      }
-    }
   }
 
   /// Gives all cells of an open ball that holds `first` their first cell.
@@ -71,7 +59,7 @@ public:
     std::vector<Index> ball, todo, later;
     const auto join = [&](Index c) {
       this->firstCell[c] = first;
-      this->addAround(c, -1);
+      this->outside.takeIn(c);
       ball.push_back(c);
       for (const Index n : this->sites.mesh.neighbors[c])
       {
@@ -103,63 +91,29 @@ public:
     }
     for (const Index c : ball)
     {
-      this->addAround(c, 1);
+      this->outside.putOut(c);
     }
   }
 
   Index firstCellOf(Index c) const { return this->firstCell[c]; }
 
 private:
-  void addAround(Index c, Index one)
-  {
-    for (const Index v : this->sites.mesh.cells[c])
-    {
-      this->cellsAtVertex[v] += one;
-    }
-    for (const Index e : this->sites.edges.ofCell[c])
-    {
-      this->cellsAtEdge[e] += one;
-    }
-  }
-
-  /// Counts the outside across a facet of the hull as one cell more.
-  void addBeyond(Index c, int i)
-  {
-    for (const Index v : facet(this->sites.mesh.cells[c], i))
-    {
-      ++this->cellsAtVertex[v];
-    }
-    for (int k = 0; k < 6; ++k)
-    {
-      this->cellsAtEdge[this->sites.edges.ofCell[c][k]] += isInFacet(k, i);
-    }
-  }
-
   /// Is the ball that begins with `first` still one with this cell? What the cell shares with the outside
   /// of both must be contractible.
   bool staysBall(Index cell, Index first) const
   {
-    std::array<bool, 4> vertices;
-    std::array<bool, 6> edges;
     int facets = 0;
-    for (int i = 0; i < 4; ++i)
+    for (const Index n : this->sites.mesh.neighbors[cell])
     {
-      const Index n = this->sites.mesh.neighbors[cell][i];
-      vertices[i] = this->cellsAtVertex[this->sites.mesh.cells[cell][i]] > 1;
       facets += n == None || this->firstCell[n] != first;
     }
-    for (int k = 0; k < 6; ++k)
-    {
-      edges[k] = this->cellsAtEdge[this->sites.edges.ofCell[cell][k]] > 1;
-    }
-    return isContractible(vertices, edges, facets);
+    return this->outside.sharedWithOthers(cell, facets).isContractible();
   }
 
   const SiteTriangulation& sites;
   DisjointSets& classes;
   std::vector<Index> firstCell; ///< for each cell that of its ball, or None
-  /// How many cells outside the ball that grows there are around each simplex.
-  std::vector<Index> cellsAtVertex, cellsAtEdge;
+  OutsideCounts outside;        ///< of the ball that grows
 };
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/Carving.h"
 
+#include "Axis/OutsideCounts.h"
 #include "Base/DisjointSets.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ bool isSimple(
   {
     edges[k] = outside.edges[sites.edges.ofCell[cell][k]];
   }
-  return isContractible(vertices, edges, facets);
+  return boundaryPiece(vertices, edges, facets).isContractible();
 }
 
 /// Components of the set over shared facets, each known by its lowest cell.
@@ -72,55 +73,6 @@ DisjointSets components(const SiteTriangulation& sites, const OpenSet& set)
   return result;
 }
 
-/// Number of pieces of the closed rest of space, without the (open) set: cells, joined over shared
-/// vertices. The vertex at infinity is one more vertex.
-Index closedRestPieces(const SiteTriangulation& sites, const OpenSet& set, const Outside& outside)
-{
-  const Index infinity = count(outside.vertices);
-  DisjointSets pieces(infinity + 1);
-  for (Index c = 0; c < count(set.cells); ++c)
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      if (!set.cells[c])
-      {
-        pieces.unite(sites.mesh.cells[c][0], sites.mesh.cells[c][i]);
-      }
-      if (sites.mesh.neighbors[c][i] == None)
-      {
-        for (const Index v : facet(sites.mesh.cells[c], i))
-        {
-          pieces.unite(v, infinity);
-        }
-      }
-    }
-  }
-  Index result = 1;
-  for (Index v = 0; v < infinity; ++v)
-  {
-    result += outside.vertices[v] && pieces.find(v) == v && pieces.find(infinity) != v;
-  }
-  return result;
-}
-}
-
-bool isContractible(
-  const std::array<bool, 4>& vertices, const std::array<bool, 6>& edges, int facets)
-{
-  int component[4] = { 0, 1, 2, 3 };
-  auto components = static_cast<int>(std::count(vertices.begin(), vertices.end(), true));
-  int euler = components + facets;
-  for (int k = 0; k < 6; ++k)
-  {
-    if (edges[k])
-    {
-      --euler;
-      const int a = component[cellEdges[k][0]], b = component[cellEdges[k][1]];
-      components -= a != b;
-      std::replace(component, component + 4, b, a);
-    }
-  }
-  return components == 1 && euler == 1;
 }
 
 Outside outsideOf(const SiteTriangulation& sites, const OpenSet& set)
@@ -172,6 +124,38 @@ OpenSet insideCells(const SiteTriangulation& sites, double kappa)
   return set;
 }
 
+Index voidCount(const SiteTriangulation& sites, const OpenSet& set)
+{
+  // Pieces of the closed rest: cells, joined over shared vertices. The vertex at infinity is one more.
+  const Index infinity = sites.siteCount;
+  DisjointSets pieces(infinity + 1);
+  std::vector<char> isOutside(infinity, 0);
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      if (!set.cells[c])
+      {
+        isOutside[sites.mesh.cells[c][i]] = 1;
+        pieces.unite(sites.mesh.cells[c][0], sites.mesh.cells[c][i]);
+      }
+      if (sites.mesh.neighbors[c][i] == None)
+      {
+        for (const Index v : facet(sites.mesh.cells[c], i))
+        {
+          pieces.unite(v, infinity);
+        }
+      }
+    }
+  }
+  Index result = 0;
+  for (Index v = 0; v < infinity; ++v)
+  {
+    result += isOutside[v] && pieces.find(v) == v && pieces.find(infinity) != v;
+  }
+  return result;
+}
+
 Betti bettiNumbers(const SiteTriangulation& sites, const OpenSet& set)
 {
   const Outside outside = outsideOf(sites, set);
@@ -200,7 +184,7 @@ Betti bettiNumbers(const SiteTriangulation& sites, const OpenSet& set)
     edges += !edge;
   }
   // By Alexander duality; the open set's Euler characteristic then gives the tunnels.
-  const Index b2 = closedRestPieces(sites, set, outside) - 1;
+  const Index b2 = voidCount(sites, set);
   return { b0, b0 + b2 - (cells - facets / 2 + edges - vertices), b2 };
 }
 

@@ -6,7 +6,6 @@
 #include "Base/Execution.h"
 #include "Base/Types.h"
 
-#include <array>
 #include <vector>
 
 namespace medial
@@ -27,17 +26,13 @@ OpenSet insideCells(const SiteTriangulation& sites, double kappa);
 /// Betti numbers of an open set of cells.
 Betti bettiNumbers(const SiteTriangulation& sites, const OpenSet& set);
 
+/// The last of them alone: how many pieces of the rest of space the set encloses.
+Index voidCount(const SiteTriangulation& sites, const OpenSet& set);
+
 /// Removes cells that are not core, the shallowest first, as long as the topology stays: a cell can
 /// go if the vertices (V), edges (E) and facets (F) that it shares with the outside are connected and
 /// V - E + F is 1.
 void carve(const SiteTriangulation& sites, OpenSet& set, const Execution& execution = {});
-
-/// Is a piece of the boundary of a tetrahedron, closed as a set, contractible? It is if it is connected and has
-/// Euler characteristic 1: the whole boundary has 2, and a piece with a hole 0 or less.
-/// @param vertices, edges  which are in it, as in cellEdges
-/// @param facets           how many are
-bool isContractible(
-  const std::array<bool, 4>& vertices, const std::array<bool, 6>& edges, int facets);
 
 /// The simplices of the triangulation with a cell outside an open set (or on the hull).
 struct Outside

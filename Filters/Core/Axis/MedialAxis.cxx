@@ -5,6 +5,7 @@
 #include "Axis/Carving.h"
 #include "Axis/DualComplex.h"
 #include "Axis/Erosion.h"
+#include "Axis/GapFilling.h"
 #include "Axis/PieceRepair.h"
 #include "Axis/ShapeCollapse.h"
 #include "Axis/SingularPoints.h"
@@ -26,6 +27,9 @@ namespace
 /// counts. Smaller values may close gaps that are in the solid, larger ones open gaps that are not.
 constexpr double kappas[] = { 0.2, 0.1, 0.05, 0, 0.3, 0.5, 0.8 };
 
+/// The same, where none gives it: gaps are filled then, so that the candidates may leave many open.
+constexpr double kappasWithGaps[] = { 0.2, 0.8 };
+
 /// An axis of which nothing else is known yet.
 MedialAxis axisOf(AxisComplex complex)
 {
@@ -34,40 +38,105 @@ MedialAxis axisOf(AxisComplex complex)
   return axis;
 }
 
-/// The axis from the singular points whose Betti numbers are the shape's, or come nearest.
-MedialAxis axisFromSites(
-  const PolarBalls& polarBalls, const PowerShape& shape, const Execution& execution)
+/// Makes the axis from the singular points.
+class SiteAxes
 {
-  const Frame frame = frameOf(polarBalls.samples);
-  const SingularPoints points = singularPoints(polarBalls, shape, execution.between(0, 0.1));
-  const SiteTriangulation sites =
-    siteTriangulation(polarBalls, shape, points, frame, execution.between(0.1, 0.7));
-  std::optional<MedialAxis> best;
-  for (const double kappa : kappas)
+public:
+  SiteAxes(const PolarBalls& balls, const PowerShape& powerShape, const Execution& outer)
+    : polarBalls(balls)
+    , shape(powerShape)
+    , execution(outer)
+    , frame(frameOf(balls.samples))
+    , points(singularPoints(balls, powerShape, outer.between(0, 0.1)))
+    , sites(siteTriangulation(balls, powerShape, points, frame, outer.between(0.1, 0.7)))
   {
-    execution.poll();
-    OpenSet set = insideCells(sites, kappa);
-    // Carving keeps the topology: a set with other Betti numbers can't give the right axis.
-    const bool promising = bettiNumbers(sites, set) == shape.betti;
-    if (!promising && (best || kappa != kappas[std::size(kappas) - 1]))
+  }
+
+  /// The axis whose Betti numbers are the shape's, or come nearest.
+  MedialAxis best() const
+  {
+    std::optional<MedialAxis> result;
+    for (const double kappa : kappas)
     {
-      continue;
+      this->execution.poll();
+      OpenSet set = insideCells(this->sites, kappa);
+      if (bettiNumbers(this->sites, set) == this->shape.betti)
+      {
+        takeBetter(this->carved(std::move(set), kappa), result);
+      }
+      if (isRight(result))
+      {
+        return *result;
+      }
     }
-    carve(sites, set, execution.between(0.7, 0.9));
-    MedialAxis axis = axisOf(dualComplex(polarBalls, points, sites, set, frame, execution));
+    takeBetter(this->withFilledGaps(), result);
+    return *result;
+  }
+
+private:
+  bool isRight(const std::optional<MedialAxis>& axis) const
+  {
+    return axis && axis->betti == this->shape.betti;
+  }
+
+  /// The axis of the candidates whose Betti numbers come nearest when the gaps in them are filled.
+  MedialAxis withFilledGaps() const
+  {
+    const std::vector<Index> pieces = piecesOfBalls(this->shape, this->polarBalls.sides);
+    const auto distance = [this](const FilledGaps& gaps) {
+      return bettiDistance(gaps.betti, this->shape.betti);
+    };
+    OpenSet nearest;
+    FilledGaps filled;
+    double kappaOfNearest = -1;
+    for (const double kappa : kappasWithGaps)
+    {
+      OpenSet set = insideCells(this->sites, kappa);
+      const FilledGaps gaps =
+        fillGaps(this->sites, pieces, this->shape.betti, set, this->execution);
+      if (kappaOfNearest == -1 || distance(gaps) < distance(filled))
+      {
+        nearest = std::move(set);
+        filled = gaps;
+        kappaOfNearest = kappa;
+      }
+      if (distance(filled) == 0)
+      {
+        break;
+      }
+    }
+    MedialAxis axis = this->carved(std::move(nearest), kappaOfNearest);
+    axis.filledGaps = filled.places;
+    return axis;
+  }
+
+  /// The axis of a set of cells. Carving keeps the topology.
+  MedialAxis carved(OpenSet set, double kappa) const
+  {
+    carve(this->sites, set, this->execution.between(0.7, 0.9));
+    MedialAxis axis = axisOf(
+      dualComplex(this->polarBalls, this->points, this->sites, set, this->frame, this->execution));
     axis.kappa = kappa;
     axis.betti = bettiNumbers(axis.cells);
-    if (!best || bettiDistance(axis.betti, shape.betti) < bettiDistance(best->betti, shape.betti))
+    return axis;
+  }
+
+  void takeBetter(MedialAxis axis, std::optional<MedialAxis>& best) const
+  {
+    if (!best ||
+      bettiDistance(axis.betti, this->shape.betti) < bettiDistance(best->betti, this->shape.betti))
     {
       best = std::move(axis);
     }
-    if (best->betti == shape.betti)
-    {
-      break;
-    }
   }
-  return *best;
-}
+
+  const PolarBalls& polarBalls;
+  const PowerShape& shape;
+  const Execution execution;
+  const Frame frame;
+  const SingularPoints points;
+  const SiteTriangulation sites;
+};
 
 /// The inner balls that share a sample with each of some inner balls.
 IndexLists neighbors(const PolarBalls& polarBalls, const std::vector<Index>& innerBalls)
@@ -171,7 +240,7 @@ MedialAxis medialAxis(
       "few of them to tell");
   }
   const PowerShape shape = powerShape(polarBalls, execution.between(0, 0.1));
-  MedialAxis axis = axisFromSites(polarBalls, shape, execution.between(0.1, 0.9));
+  MedialAxis axis = SiteAxes(polarBalls, shape, execution.between(0.1, 0.9)).best();
   if (axis.betti != shape.betti && options.fallback == AxisFallback::Collapse)
   {
     const AxisComplex exact = collapsedShape(polarBalls, shape, execution);
@@ -179,6 +248,7 @@ MedialAxis medialAxis(
     axis.betti = bettiNumbers(axis.cells);
     axis.fallback = true;
     axis.kappa = -1;
+    axis.filledGaps = 0;
   }
   axis.sampleDiagonal = boundingBox(polarBalls.samples).diagonal().norm();
   axis.powerShapeBetti = shape.betti;

@@ -32,6 +32,9 @@ struct MedialAxis : AxisComplex
                     ///< the singular points
   double kappa;     ///< least depth of the candidates that were taken, see insideCells() in
                     ///< Carving.h and depth in SiteTriangulation.h; -1 with the fallback
+  Index
+    filledGaps; ///< places where cells that are less deep join pieces, or fill tunnels or voids, that
+                ///< would be too many, see fillGaps(); 0 with the fallback
 };
 
 /// What to do where the axis from the singular points does not have the power shape's topology.

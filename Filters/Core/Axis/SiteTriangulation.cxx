@@ -56,6 +56,17 @@ struct Classifier
     return offset.norm() < coincident;
   }
 
+  /// The radius of the largest inner ball through a corner, for the corner where that is smallest.
+  double leastBall(const Tetrahedron& corners) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index site : corners)
+    {
+      least = std::min(least, this->largestBall[site]);
+    }
+    return least;
+  }
+
   const PolarBalls& polarBalls;
   const PowerShape& shape;
   const SingularPoints& sites;
@@ -66,11 +77,12 @@ struct Classifier
   void classify(Index c, SiteTriangulation& result) const
   {
     const Ball& sphere = result.spheres[c];
+    const Tetrahedron& corners = result.mesh.cells[c];
+    result.depth[c] = -sphere.radius / this->leastBall(corners);
     if (!this->box.contains(sphere.center))
     {
       return; // no walk towards a centre that may be far off
     }
-    const Tetrahedron& corners = result.mesh.cells[c];
     const Index cell = this->locator.locate(sphere.center, this->sites.balls[corners[0]][0]);
     if (cell == None)
     {
@@ -80,12 +92,7 @@ struct Classifier
     const Index nearest = this->locator.nearestBall(sphere.center, cell);
     if (result.isCore[c] || this->polarBalls.sides[nearest] == Side::Inner)
     {
-      double least = std::numeric_limits<double>::infinity();
-      for (const Index site : corners)
-      {
-        least = std::min(least, this->largestBall[site]);
-      }
-      result.depth[c] = sphere.radius / least;
+      result.depth[c] = -result.depth[c];
     }
   }
 };
@@ -126,7 +133,7 @@ SiteTriangulation siteTriangulation(const PolarBalls& polarBalls, const PowerSha
   result.spheres.resize(cellCount);
   result.onBall.assign(cellCount, None);
   result.isCore.assign(cellCount, 0);
-  result.depth.assign(cellCount, -1);
+  result.depth.assign(cellCount, 0);
   execution.forEach(cellCount, [&](Index c) {
     const Tetrahedron& v = result.mesh.cells[c];
     const Index ball = lowestCommonItem(sites.balls, v);

@@ -28,7 +28,8 @@ struct SiteTriangulation
   std::vector<char> isCore;  ///< on a ball, or its centre is in the power shape: surely inside
   /// How deep in the solid the cell's centre is, relative to the solid's thickness there: circumradius /
   /// radius of the largest inner ball through a corner, for the corner where that is smallest. 1 for
-  /// cells on a ball, near 0 for centres close to the boundary, negative where the cell can't be inside.
+  /// cells on a ball, near 0 for centres close to the boundary. Where the centre is outside it is how far
+  /// outside, negative.
   std::vector<double> depth;
 };
 

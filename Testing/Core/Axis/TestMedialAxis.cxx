@@ -110,6 +110,27 @@ TEST(MedialAxis, CertificateIsHonest)
   }
 }
 
+TEST(MedialAxis, GapsAreFilledWhereTheyAre)
+{
+  // Samples too sparse in a few places: no choice of candidates gives the power shape's topology.
+  const unsigned end = seeds(4);
+  Index repaired = 0;
+  for (unsigned seed = 1; seed <= end; ++seed)
+  {
+    for (const shapes::Shape& shape : { shapes::twoHolePlate(0.25, seed),
+           shapes::twoHolePlate(0.3, seed), shapes::knot(0.4, seed), shapes::torus(0.55, seed) })
+    {
+      SCOPED_TRACE(testing::Message() << shape.name << ", seed " << seed);
+      const MedialAxis axis = medial::medialAxis(medial::polarBalls(shape.samples));
+      EXPECT_EQ(pipelines::independentBetti(axis), axis.powerShapeBetti);
+      EXPECT_TRUE(axis.certificate);
+      EXPECT_FALSE(axis.fallback);
+      repaired += axis.filledGaps > 0;
+    }
+  }
+  EXPECT_GE(repaired, 4);
+}
+
 TEST(MedialAxis, HasNoDuplicatePoints)
 {
   forEachShape([](Pipeline& p) {
