@@ -19,6 +19,9 @@
 // all: the cell fills a void. Around each loop of it the cell touches the set once more: that joins two
 // pieces, or makes a tunnel. Union-find tells pieces; voids are counted, but only where that can matter.
 //
+// No tunnel is made. A set with too few of them is wrong in more than gaps, and other tunnels than those that
+// are missing would only make the numbers right.
+//
 // A cell is tested when it comes to the border and when a cell beside it has joined: O(n log n) for n cells,
 // and O(n) more for each count. Few cells join before the gaps of samples that are a little too sparse close.
 
@@ -110,12 +113,11 @@ private:
     }
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    if (!this->areInOnePiece(touched))
+    const Index contacts = shared.components == 0 ? 1 : 1 + shared.loops;
+    if (contacts > count(touched) || !this->areInOnePiece(touched))
     {
       return false;
     }
-    const Index contacts = shared.components == 0 ? 1 : 1 + shared.loops;
-    const Index tunnelsMade = contacts - count(touched);
     const Index blocked = std::max(shared.components - 1, 0);
     Index voidsMade = shared.components == 0 ? -1 : 0;
     if (blocked > 0)
@@ -130,8 +132,7 @@ private:
       this->set.cells[cell] = 0;
     }
     const Index tunnelsFilled = blocked - std::max(voidsMade, 0);
-    return (tunnelsMade == 0 || tunnelsFilled == 0) &&
-      this->accept({ 1 - count(touched), tunnelsMade - tunnelsFilled, voidsMade });
+    return this->accept({ 1 - count(touched), -tunnelsFilled, voidsMade });
   }
 
   bool wantsFewer(int i) const { return this->result.betti[i] > this->target[i]; }

@@ -22,7 +22,8 @@ struct FilledGaps
 /// keep the topology, and cells that bring each number nearer to its target or keep it. Cells that were not
 /// needed can be carved away again.
 ///
-/// Where it ends without success there is no such cell left.
+/// Where it ends without success there is no such cell left. No tunnel is made: a set with too few is wrong in
+/// more than gaps.
 /// @param pieceOfBall  of the power shape, see piecesOfBalls(): what lies in different ones isn't joined
 FilledGaps fillGaps(const SiteTriangulation& sites, const std::vector<Index>& pieceOfBall,
   const Betti& target, OpenSet& set, const Execution& execution = {});

@@ -27,9 +27,6 @@ namespace
 /// counts. Smaller values may close gaps that are in the solid, larger ones open gaps that are not.
 constexpr double kappas[] = { 0.2, 0.1, 0.05, 0, 0.3, 0.5, 0.8 };
 
-/// The same, where none gives it: gaps are filled then, so that the candidates may leave many open.
-constexpr double kappasWithGaps[] = { 0.2, 0.8 };
-
 /// An axis of which nothing else is known yet.
 MedialAxis axisOf(AxisComplex complex)
 {
@@ -79,34 +76,14 @@ private:
     return axis && axis->betti == this->shape.betti;
   }
 
-  /// The axis of the candidates whose Betti numbers come nearest when the gaps in them are filled.
+  /// The axis of the first choice of candidates, with the gaps in it filled.
   MedialAxis withFilledGaps() const
   {
     const std::vector<Index> pieces = piecesOfBalls(this->shape, this->polarBalls.sides);
-    const auto distance = [this](const FilledGaps& gaps) {
-      return bettiDistance(gaps.betti, this->shape.betti);
-    };
-    OpenSet nearest;
-    FilledGaps filled;
-    double kappaOfNearest = -1;
-    for (const double kappa : kappasWithGaps)
-    {
-      OpenSet set = insideCells(this->sites, kappa);
-      const FilledGaps gaps =
-        fillGaps(this->sites, pieces, this->shape.betti, set, this->execution);
-      if (kappaOfNearest == -1 || distance(gaps) < distance(filled))
-      {
-        nearest = std::move(set);
-        filled = gaps;
-        kappaOfNearest = kappa;
-      }
-      if (distance(filled) == 0)
-      {
-        break;
-      }
-    }
-    MedialAxis axis = this->carved(std::move(nearest), kappaOfNearest);
-    axis.filledGaps = filled.places;
+    OpenSet set = insideCells(this->sites, kappas[0]);
+    const FilledGaps gaps = fillGaps(this->sites, pieces, this->shape.betti, set, this->execution);
+    MedialAxis axis = this->carved(std::move(set), kappas[0]);
+    axis.filledGaps = gaps.places;
     return axis;
   }
 

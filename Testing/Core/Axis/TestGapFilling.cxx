@@ -58,8 +58,7 @@ struct Start
 std::vector<shapes::Shape> sparseShapes(unsigned seed)
 {
   return { shapes::twoHolePlate(0.25, seed), shapes::twoHolePlate(0.3, seed),
-    shapes::knot(0.4, seed), shapes::torus(0.55, seed), shapes::box(0.35, seed),
-    shapes::hollowSphere(0.3, seed) };
+    shapes::torus(0.55, seed), shapes::box(0.35, seed), shapes::hollowSphere(0.3, seed) };
 }
 }
 
@@ -70,11 +69,8 @@ TEST(GapFilling, GivesSparseSamplesTheTopologyOfTheirPowerShape)
     for (const shapes::Shape& shape : sparseShapes(seed))
     {
       const Start start(shape.samples);
-      for (const double kappa : { 0.2, 0.8 })
-      {
-        SCOPED_TRACE(testing::Message() << shape.name << ", seed " << seed << ", kappa " << kappa);
-        EXPECT_EQ(start.fill(kappa, start.shape.betti), start.shape.betti);
-      }
+      SCOPED_TRACE(testing::Message() << shape.name << ", seed " << seed);
+      EXPECT_EQ(start.fill(0.2, start.shape.betti), start.shape.betti);
     }
   }
 }
@@ -96,6 +92,11 @@ TEST(GapFilling, FillsATunnelOrAVoidIfTold)
 {
   EXPECT_EQ(Start(shapes::torus(0.3).samples).fill(0.2, { 1, 0, 0 }), (Betti{ 1, 0, 0 }));
   EXPECT_EQ(Start(shapes::hollowSphere(0.25).samples).fill(0.2, { 1, 0, 0 }), (Betti{ 1, 0, 0 }));
+}
+
+TEST(GapFilling, MakesNoTunnel)
+{
+  EXPECT_EQ(Start(shapes::capsule(0.3).samples).fill(0.2, { 1, 1, 0 }), (Betti{ 1, 0, 0 }));
 }
 
 TEST(GapFilling, LeavesWhatIsRightAsItIs)
