@@ -148,27 +148,35 @@ class Solid:
         return self.distance(numpy.stack([x, y, z], axis=-1))
 
 
-def betti_below(distances, level=0.0):
-    """Of the places with a distance below the level: pieces, tunnels, voids."""
+def mesh_below(distances, level=0.0):
+    """The boundary of the places with a distance below the level; one unit is the width of the grid."""
     image = vtkImageData()
     image.SetDimensions(distances.shape)
     image.GetPointData().SetScalars(numpy_to_vtk(distances.ravel(), deep=True))
     edges = vtkFlyingEdges3D()
     edges.SetInputData(image)
     edges.ComputeNormalsOff()
+    edges.ComputeScalarsOff()
     edges.SetValue(0, level)
-    pieces = vtkPolyDataConnectivityFilter()
-    pieces.SetInputConnection(edges.GetOutputPort())
-    pieces.SetExtractionModeToAllRegions()
-    pieces.ColorRegionsOn()
-    pieces.Update()
-    return betti_of_mesh(pieces.GetOutput())
+    edges.Update()
+    return edges.GetOutput()
+
+
+def betti_below(distances, level=0.0):
+    """Of the places with a distance below the level: pieces, tunnels, voids."""
+    return betti_of_mesh(mesh_below(distances, level))
 
 
 def betti_of_mesh(mesh):
-    """Of the solid in a closed mesh whose points have their piece as scalars."""
+    """Of the solid in a closed mesh, whose triangles are oriented alike; its largest piece bounds a solid, not a void."""
     if not mesh.GetNumberOfPoints():
         return (0, 0, 0)
+    pieces = vtkPolyDataConnectivityFilter()
+    pieces.SetInputData(mesh)
+    pieces.SetExtractionModeToAllRegions()
+    pieces.ColorRegionsOn()
+    pieces.Update()
+    mesh = pieces.GetOutput()
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     piece = vtk_to_numpy(mesh.GetPointData().GetScalars())
     triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
@@ -176,8 +184,7 @@ def betti_of_mesh(mesh):
     euler = numpy.bincount(piece) - numpy.bincount(piece[triangles[:, 0]]) / 2
     a, b, c = (points[triangles[:, k]] for k in range(3))
     volume = numpy.bincount(piece[triangles[:, 0]], numpy.einsum("ij,ij->i", numpy.cross(a, b), c))
-    # Flying Edges' triangles are clockwise seen from the higher values, which are outside.
-    outer = int(numpy.count_nonzero(volume < 0))
+    outer = int(numpy.count_nonzero(volume * volume[numpy.abs(volume).argmax()] > 0))
     return (outer, int((1 - euler / 2).sum()), len(volume) - outer)
 
 
@@ -221,17 +228,22 @@ def samples_of(solid, random):
     return numpy.concatenate(samples), ratio * spacing, noise
 
 
-def simplified(samples, schedule):
-    """The Betti numbers of the four stages, and what is said of them; or the error's message."""
+def cloud_of(points):
+    """Points without cells."""
     places = vtkPoints()
-    places.SetData(numpy_to_vtk(samples, deep=True))
+    places.SetData(numpy_to_vtk(points, deep=True))
     cloud = vtkPolyData()
     cloud.SetPoints(places)
+    return cloud
+
+
+def simplified(data, schedule):
+    """The Betti numbers of the four stages, and what is said of them; or the error's message."""
     chain = vtkSimplifyShape()
     for each in (chain, chain.GetExecutive()):
         each.AddObserver("ErrorEvent", lambda *_: None)
         each.AddObserver("WarningEvent", lambda *_: None)
-    chain.SetInputData(cloud)
+    chain.SetInputData(data)
     chain.SetSchedule(schedule)
     chain.Update()
     if chain.GetErrorMessage():
@@ -286,6 +298,17 @@ def outcome_of(result, truth, resolved):
     return ("another solid", wrong) if wrong else ("right", [])
 
 
+def outcomes_of(result, truth, resolved):
+    """The outcome and what happened besides, by their names in the table; and what is wrong, in words."""
+    outcome, words = outcome_of(result, truth, resolved)
+    outcomes = [outcome]
+    if outcome != "error":
+        outcomes += ["balls put back"] * (result["put back"] > 0)
+        if result["fallback"]:
+            outcomes.append("fallback said" if "fallback" in result["warnings"] else "fallback unsaid")
+    return outcomes, words
+
+
 FAILURES = ("error", "wrong and certified", "fallback unsaid")
 
 
@@ -302,13 +325,9 @@ def run(seed, number, counts, save, coarse):
     schedule = str(random.choice(SCHEDULES))
     kind = ("resolved" if all(betti_below(distances[1], level) == truth for level in (-spacing, spacing)) else
             "coarse")
-    result = simplified(samples, schedule)
-    outcome, words = outcome_of(result, truth, kind == "resolved")
-    outcomes = [outcome]
-    if outcome != "error":
-        outcomes += ["balls put back"] * (result["put back"] > 0)
-        if result["fallback"]:
-            outcomes.append("fallback said" if "fallback" in result["warnings"] else "fallback unsaid")
+    result = simplified(cloud_of(samples), schedule)
+    outcomes, words = outcomes_of(result, truth, kind == "resolved")
+    outcome = outcomes[0]
     for each in outcomes:
         counts[kind, each] += 1
     failed = any(each in FAILURES for each in outcomes)
@@ -331,25 +350,29 @@ OUTCOMES = ("right", "right but not certified", "wrong but said", "wrong and cer
 BESIDES = ("fallback said", "fallback unsaid", "balls put back")
 
 
-def print_table(solids, counts):
-    """The outcomes, of which each solid has one, and what happened besides."""
+def print_table(solids, counts, kinds):
+    """The outcomes of each kind, of which each solid has one, and what happened besides."""
     print("%d solids, %d of them left out" % (solids, counts["left out"]))
-    print("%-26s %9s %9s" % ("", "resolved", "coarse"))
+    print(("%-26s" + " %9s" * len(kinds)) % ("", *kinds))
     rows = [("all", OUTCOMES)] + [(name, (name,)) for name in OUTCOMES + BESIDES]
     for name, names in rows:
-        print("%-26s %9d %9d" % (name, *(sum(counts[kind, each] for each in names)
-                                         for kind in ("resolved", "coarse"))))
+        numbers = (sum(counts[kind, each] for each in names) for kind in kinds)
+        print(("%-26s" + " %9d" * len(kinds)) % (name, *numbers))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+def parser_of(doc):
+    """For the options that say which solids are tried."""
+    parser = argparse.ArgumentParser(description=doc.splitlines()[0])
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--first", type=int, default=0, metavar="I", help="the first solid")
     parser.add_argument("--count", type=int, default=sys.maxsize, metavar="N", help="solids at most")
     parser.add_argument("--seconds", type=float, default=float("inf"), help="time at most")
-    parser.add_argument("--save", metavar="DIR", help="where samples of what is printed go, as .xyz")
-    parser.add_argument("--coarse", action="store_true", help="prints the wrong ones of the coarse solids, too")
-    arguments = parser.parse_args()
+    parser.add_argument("--save", metavar="DIR", help="where the input of what is printed goes")
+    return parser
+
+
+def try_all(arguments, kinds, try_one):
+    """Tries solids and prints the table. The exit code: 1 if one failed, or none was tried."""
     if arguments.count == sys.maxsize and arguments.seconds == float("inf"):
         arguments.count = 20
     end = time.monotonic() + arguments.seconds
@@ -358,11 +381,19 @@ def main():
     for number in range(arguments.first, arguments.first + arguments.count):
         if time.monotonic() > end:
             break
-        run(arguments.seed, number, counts, arguments.save, arguments.coarse)
+        try_one(number, counts)
         solids += 1
-    print_table(solids, counts)
-    tried = any(counts[kind, name] for kind in ("resolved", "coarse") for name in OUTCOMES)
+    print_table(solids, counts, kinds)
+    tried = any(counts[kind, name] for kind in kinds for name in OUTCOMES)
     return 1 if counts["failed"] or not tried else 0
+
+
+def main():
+    parser = parser_of(__doc__)
+    parser.add_argument("--coarse", action="store_true", help="prints the wrong ones of the coarse solids, too")
+    arguments = parser.parse_args()
+    return try_all(arguments, ("resolved", "coarse"), lambda number, counts: run(
+        arguments.seed, number, counts, arguments.save, arguments.coarse))
 
 
 if __name__ == "__main__":
