@@ -16,10 +16,8 @@ std::vector<Crossing> crossings(
     const auto& [a, b] = edges[e];
     if (balls.sides[a] == balls.sides[b] && balls.sides[a] != Side::Hidden)
     {
-      const Point from = balls.balls[a].center;
-      const Point across = balls.balls[b].center - from;
-      const auto found = solid.firstMet(from, across, None);
-      if (found && (found->point - from).squaredNorm() < across.squaredNorm())
+      const auto found = solid.firstMet(balls.balls[a].center, balls.balls[b].center, None);
+      if (found)
       {
         met[e] = Crossing{ found->point, balls.balls[a].radius < balls.balls[b].radius ? a : b };
       }

@@ -8,6 +8,9 @@
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <iterator>
+#include <limits>
+
 namespace medial
 {
 namespace
@@ -91,21 +94,39 @@ SurfaceTree::Place SurfaceTree::nearest(const Point& point) const
 }
 
 std::optional<SurfaceTree::Place> SurfaceTree::firstMet(
-  const Point& from, const Point& direction, Index skipped) const
+  const Point& from, const Point& to, Index skipped) const
 {
-  const Kernel::Ray_3 ray(
-    toKernel(from), Kernel::Vector_3(direction.x(), direction.y(), direction.z()));
-  const auto skip = [skipped](
-                      Mesh::Face_index face) { return static_cast<Index>(face.idx()) == skipped; };
-  const auto met = this->implementation->tree.first_intersection(ray, skip);
-  if (!met)
+  const Kernel::Segment_3 way(toKernel(from), toKernel(to));
+  std::vector<Tree::Intersection_and_primitive_id<Kernel::Segment_3>::Type> met;
+  this->implementation->tree.all_intersections(way, std::back_inserter(met));
+  std::optional<Place> result;
+  double least = std::numeric_limits<double>::infinity();
+  const auto meet = [&](const Kernel::Point_3& point, Index triangle) {
+    const double squared = CGAL::squared_distance(way.source(), point);
+    if (squared < least || (squared == least && triangle < result->triangle))
+    {
+      least = squared;
+      result = Place{ fromKernel(point), triangle };
+    }
+  };
+  for (const auto& [where, face] : met)
   {
-    return {};
+    const auto triangle = static_cast<Index>(face.idx());
+    if (triangle == skipped)
+    {
+      continue;
+    }
+    if (const auto* point = boost::get<Kernel::Point_3>(&where))
+    {
+      meet(*point, triangle);
+    }
+    else if (const auto* along = boost::get<Kernel::Segment_3>(&where)) // in the triangle's plane
+    {
+      meet(along->source(), triangle);
+      meet(along->target(), triangle);
+    }
   }
-  const auto* point = boost::get<Kernel::Point_3>(&met->first);
-  const auto* segment = boost::get<Kernel::Segment_3>(&met->first);
-  return Place{ fromKernel(point ? *point : segment->source()),
-    static_cast<Index>(met->second.idx()) };
+  return result;
 }
 
 bool SurfaceTree::encloses(const Point& point) const

@@ -10,7 +10,7 @@
 
 namespace medial
 {
-/// Finds the nearest point of a triangulated surface, the triangle that a ray meets first, and whether
+/// Finds the nearest point of a triangulated surface, the triangle that a way meets first, and whether
 /// a point is enclosed. Built in O(n log n); a search takes about O(log n). Threads may search at the
 /// same time.
 class SurfaceTree
@@ -31,8 +31,9 @@ public:
   /// The point of the surface that is nearest to `point`.
   Place nearest(const Point& point) const;
 
-  /// Where a ray first meets a triangle other than `skipped`, if it does.
-  std::optional<Place> firstMet(const Point& from, const Point& direction, Index skipped) const;
+  /// Where the straight way between two points first meets a triangle other than `skipped`, if it does. A
+  /// search takes as long as there are triangles on the way.
+  std::optional<Place> firstMet(const Point& from, const Point& to, Index skipped) const;
 
   /// Is the point inside the closed surface? Exact; a point on the surface is not inside.
   bool encloses(const Point& point) const;

@@ -112,8 +112,8 @@ struct BoundarySampler::Implementation
   Index measure(
     const std::vector<SurfacePoint>& at, const SpacingField& before, const Execution& execution)
   {
-    const std::vector<double> thickness =
-      localThickness(at, this->tree, this->triangles.normals, this->edges, execution);
+    const std::vector<double> thickness = localThickness(at, this->tree, this->triangles.normals,
+      this->largest / this->options.fineness, this->edges, execution);
     Index finer = 0;
     for (std::size_t i = 0; i < at.size(); ++i)
     {

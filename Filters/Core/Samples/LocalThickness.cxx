@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-// Shrinking balls: the first ball is between the point and the wall that a ray along the normal meets. While
-// it holds a sample, it shrinks to the ball through that one. In an edge it shrinks to nothing: there it has
-// touched a wall that isn't opposite.
+// Shrinking balls: the first ball is between the point and the wall that the way along the normal meets, or as
+// large as counts. While it holds a sample, it shrinks to the ball through that one. In an edge it shrinks to
+// nothing: there it has touched a wall that isn't opposite.
 namespace medial
 {
 namespace
@@ -23,36 +23,61 @@ struct Span
   Point opposite;          ///< normal of the wall
 };
 
-/// One side of one sample.
-Span spanAt(const SurfacePoint& at, const Point& inwards, const std::vector<SurfacePoint>& samples,
-  const Neighbors& neighbors, const SurfaceTree& tree, const std::vector<Point>& triangleNormals)
+/// Measures one side of one sample.
+class Spans
 {
-  const auto met = tree.firstMet(at.position, inwards, at.triangle);
-  if (!met)
+public:
+  Spans(const std::vector<SurfacePoint>& theSamples, const SurfaceTree& theTree,
+    const std::vector<Point>& theTriangleNormals, double theMost)
+    : samples(theSamples)
+    , places(positions(theSamples))
+    , neighbors(this->places)
+    , tree(theTree)
+    , triangleNormals(theTriangleNormals)
+    , most(theMost)
   {
-    return {};
   }
-  double radius = (met->point - at.position).norm() / 2;
-  Point opposite = triangleNormals[met->triangle];
-  constexpr int most = 30; // each step shrinks it; few are needed
-  for (int step = 0; step < most && radius > 0; ++step)
+
+  Span at(const SurfacePoint& sample, const Point& inwards) const
   {
-    const Point center = at.position + radius * inwards;
-    const SurfacePoint& nearest = samples[neighbors.nearest(center, 1).front()];
+    // As free as a larger ball must be, and searches around far centres are slow.
     constexpr double enough = 0.95; // of the radius: a spacing need not be more exact
-    const Point across = nearest.position - at.position;
-    const double along = across.dot(inwards);
-    if ((nearest.position - center).norm() >= enough * radius || along <= 0)
+    double radius = this->most / enough / 2;
+    Point opposite = -sample.normal;
+    const Point farthest = sample.position + 2 * radius * inwards;
+    if (const auto met = this->tree.firstMet(sample.position, farthest, sample.triangle))
     {
-      break;
+      radius = (met->point - sample.position).norm() / 2;
+      opposite = this->triangleNormals[met->triangle];
     }
-    radius = across.squaredNorm() / (2 * along);
-    opposite = nearest.normal;
+    constexpr int steps = 30; // each shrinks it; few are needed
+    for (int step = 0; step < steps && radius > 0; ++step)
+    {
+      const Point center = sample.position + radius * inwards;
+      const SurfacePoint& nearest = this->samples[this->neighbors.nearest(center, 1).front()];
+      const Point across = nearest.position - sample.position;
+      const double along = across.dot(inwards);
+      if ((nearest.position - center).norm() >= enough * radius || along <= 0)
+      {
+        break;
+      }
+      radius = across.squaredNorm() / (2 * along);
+      opposite = nearest.normal;
+    }
+    // 100 degrees and more between the normals: no edge of a box, and all that is thinner than it is wide.
+    constexpr double isOpposite = -0.17; // cosine
+    const bool counts = 2 * radius < this->most && sample.normal.dot(opposite) < isOpposite;
+    return { counts ? 2 * radius : infinite, opposite };
   }
-  // 100 degrees and more between the normals: no edge of a box, and all that is thinner than it is wide.
-  constexpr double isOpposite = -0.17; // cosine
-  return { at.normal.dot(opposite) < isOpposite ? 2 * radius : infinite, opposite };
-}
+
+private:
+  const std::vector<SurfacePoint>& samples;
+  std::vector<Point> places;
+  Neighbors neighbors;
+  const SurfaceTree& tree;
+  const std::vector<Point>& triangleNormals;
+  double most;
+};
 
 /// Knows where the two walls of a span meet.
 class Wedges
@@ -133,19 +158,17 @@ std::vector<Point> positions(const std::vector<SurfacePoint>& samples)
 }
 
 std::vector<double> localThickness(const std::vector<SurfacePoint>& samples,
-  const SurfaceTree& tree, const std::vector<Point>& triangleNormals,
+  const SurfaceTree& tree, const std::vector<Point>& triangleNormals, double most,
   const std::vector<WedgeEdge>& edges, const Execution& execution)
 {
   const Wedges wedges(edges);
-  const std::vector<Point> places = positions(samples);
-  const Neighbors neighbors(places);
+  const Spans spans(samples, tree, triangleNormals, most);
   std::vector<double> result(samples.size());
   execution.forEach(count(samples), [&](Index i) {
     result[i] = infinite;
     for (const double side : { -1.0, 1.0 })
     {
-      const Span span =
-        spanAt(samples[i], side * samples[i].normal, samples, neighbors, tree, triangleNormals);
+      const Span span = spans.at(samples[i], side * samples[i].normal);
       result[i] = wedges.holds(samples[i], span) ? result[i] : std::min(result[i], span.width);
     }
   });

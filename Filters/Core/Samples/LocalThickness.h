@@ -35,10 +35,11 @@ struct WedgeEdge
 /// opposite.
 ///
 /// Exact straight across; beside that, what is thinner than the samples are apart can be missed.
-/// Costs a few searches in trees for each sample.
+/// Costs a few searches in trees for each sample; they take longer the larger the balls are.
 /// @param triangleNormals  of the surface in the tree, of length 1
+/// @param most             what is thicker counts as infinitely thick; finite
 std::vector<double> localThickness(const std::vector<SurfacePoint>& samples,
-  const SurfaceTree& tree, const std::vector<Point>& triangleNormals,
+  const SurfaceTree& tree, const std::vector<Point>& triangleNormals, double most,
   const std::vector<WedgeEdge>& edges = {}, const Execution& execution = {});
 }
 

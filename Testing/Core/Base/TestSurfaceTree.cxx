@@ -116,30 +116,38 @@ TEST(SurfaceTree, EnclosesNothingInAVoid)
   EXPECT_GT(checked, 1800);
 }
 
-TEST(SurfaceTree, FindsWhatARayMeetsFirst)
+TEST(SurfaceTree, FindsWhatAWayMeetsFirst)
 {
   const SurfaceTree tree = treeOf(cube());
-  const auto in = tree.firstMet(Point(0.1, 0.2, 0.3), Point(0, 0, 5), None);
-  ASSERT_TRUE(in);
-  EXPECT_EQ(in->point, Point(0.1, 0.2, 1));
-  const auto from = tree.firstMet(Point(-3, 0.2, 0.3), Point(1, 0, 0), None);
-  ASSERT_TRUE(from);
-  EXPECT_EQ(from->point, Point(-1, 0.2, 0.3));
-  EXPECT_FALSE(tree.firstMet(Point(-3, 0.2, 0.3), Point(-1, 0, 0), None));
-  EXPECT_FALSE(tree.firstMet(Point(-3, 0.2, 1.3), Point(1, 0, 0), None));
+  const auto out = tree.firstMet(Point(0.125, 0.25, 0.375), Point(0.125, 0.25, 5), None);
+  ASSERT_TRUE(out);
+  EXPECT_EQ(out->point, Point(0.125, 0.25, 1));
+  const auto through = tree.firstMet(Point(-3, 0.25, 0.375), Point(3, 0.25, 0.375), None);
+  ASSERT_TRUE(through);
+  EXPECT_EQ(through->point, Point(-1, 0.25, 0.375));
+  EXPECT_FALSE(tree.firstMet(Point(-3, 0.25, 0.375), Point(-1.1, 0.25, 0.375), None));
+  EXPECT_FALSE(tree.firstMet(Point(-3, 0.25, 1.25), Point(3, 0.25, 1.25), None));
 }
 
-TEST(SurfaceTree, SkipsTheTriangleThatARayBeginsOn)
+TEST(SurfaceTree, MeetsAWallOnTheWayAlongItFirstWhereThatBegins)
+{
+  const SurfaceTree tree = treeOf(cube());
+  const auto along = tree.firstMet(Point(-3, 0.25, 1), Point(3, 0.25, 1), None);
+  ASSERT_TRUE(along);
+  EXPECT_EQ(along->point, Point(-1, 0.25, 1));
+}
+
+TEST(SurfaceTree, SkipsTheTriangleThatAWayBeginsOn)
 {
   const SurfaceTree tree = treeOf(cube());
   const Point start(0.1, 0.2, 1);
-  const auto here = tree.firstMet(start, Point(0, 0, -1), None);
+  const auto here = tree.firstMet(start, Point(0.1, 0.2, -4), None);
   ASSERT_TRUE(here);
   EXPECT_EQ(here->point, start);
-  const auto across = tree.firstMet(start, Point(0, 0, -1), here->triangle);
+  const auto across = tree.firstMet(start, Point(0.1, 0.2, -4), here->triangle);
   ASSERT_TRUE(across);
   EXPECT_EQ(across->point, Point(0.1, 0.2, -1));
-  EXPECT_FALSE(tree.firstMet(start, Point(0, 0, 1), here->triangle));
+  EXPECT_FALSE(tree.firstMet(start, Point(0.1, 0.2, 4), here->triangle));
 }
 
 TEST(SurfaceTree, LeavesOutTrianglesWithoutArea)

@@ -23,6 +23,7 @@ using medial::Triangle;
 using meshes::Mesh;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double thick = 1000; // more than any of the meshes is
 
 /// Samples of a mesh, and how thick it is at each.
 struct Measured
@@ -38,7 +39,7 @@ enum class Edges
 };
 
 Measured measured(const Mesh& mesh, double spacing, Edges edges = Edges::Unknown,
-  const medial::Execution& execution = {})
+  const medial::Execution& execution = {}, double most = thick)
 {
   const std::vector<Triangle> triangles = meshes::triangles(meshes::triangulated(mesh));
   const medial::TriangleSet set = medial::triangleSet(mesh.points, triangles);
@@ -50,7 +51,8 @@ Measured measured(const Mesh& mesh, double spacing, Edges edges = Edges::Unknown
   {
     known = medial::wedgeEdges(set, medial::sharpLines(set, 30), spacing);
   }
-  result.thickness = medial::localThickness(result.samples, tree, set.normals, known, execution);
+  result.thickness =
+    medial::localThickness(result.samples, tree, set.normals, most, known, execution);
   return result;
 }
 
@@ -179,6 +181,28 @@ TEST(LocalThickness, OfABluntWedgeIsThatOfItsEnd)
     point.y() += point.y() > 0 ? std::tan(0.5) * point.x() : 0;
   }
   EXPECT_LT(leastOnWalls(measured(blunt, 0.02, Edges::Known), 0), 0.05);
+}
+
+/// Whether a search begins with a ball that is just large enough or with the largest one.
+TEST(LocalThickness, UpToALimitIsTheSame)
+{
+  const std::vector<Mesh> meshes{ meshes::torus(), meshes::iBeam(3), meshes::drilledPlate(0.4),
+    meshes::united(meshes::sphere(1, 64), meshes::reversed(meshes::sphere(0.75, 64))) };
+  for (const Mesh& mesh : meshes)
+  {
+    constexpr double most = 0.9;
+    constexpr double exact = 0.95; // where a search ends
+    const std::vector<double> all = measured(mesh, 0.1).thickness;
+    const std::vector<double> limited = measured(mesh, 0.1, Edges::Unknown, {}, most).thickness;
+    std::size_t alike = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      EXPECT_TRUE(limited[i] < most || limited[i] == infinite);
+      EXPECT_GT(limited[i], exact * std::min(all[i], most));
+      alike += all[i] < most ? std::abs(limited[i] / all[i] - 1) < 0.1 : limited[i] == infinite;
+    }
+    EXPECT_GT(alike, 0.98 * double(all.size()));
+  }
 }
 
 TEST(LocalThickness, DoesNotDependOnThreads)
