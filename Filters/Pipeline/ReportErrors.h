@@ -92,8 +92,8 @@ inline void restorePiece(vtkInformationVector* outputs)
   }
 }
 
-/// Asks every input for all of it as one piece, and for all voxels of an image: no stage can work on a part of the object. For another
-/// piece than the first, which is empty, the input is not needed: it is asked for the same piece.
+/// Asks every input for all of it as one piece, and for all voxels of an image: no stage can work on a part of
+/// the object. For another piece than the first, which is empty, the input is not needed: it is asked for the same piece.
 inline int requestWholeInputs(vtkAlgorithm* filter, vtkInformation* request,
   vtkInformationVector** inputs, vtkInformationVector* outputs)
 {

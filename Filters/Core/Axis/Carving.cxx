@@ -72,7 +72,6 @@ DisjointSets components(const SiteTriangulation& sites, const OpenSet& set)
   }
   return result;
 }
-
 }
 
 Outside outsideOf(const SiteTriangulation& sites, const OpenSet& set)

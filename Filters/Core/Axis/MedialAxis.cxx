@@ -79,7 +79,7 @@ private:
   /// The axis of the first choice of candidates, with the gaps in it filled.
   MedialAxis withFilledGaps() const
   {
-    const std::vector<Index> pieces = piecesOfBalls(this->shape, this->polarBalls.sides);
+    const std::vector<Index> pieces = piecesOfBalls(this->polarBalls);
     OpenSet set = insideCells(this->sites, kappas[0]);
     const FilledGaps gaps = fillGaps(this->sites, pieces, this->shape.betti, set, this->execution);
     MedialAxis axis = this->carved(std::move(set), kappas[0]);
@@ -220,8 +220,8 @@ MedialAxis medialAxis(
   MedialAxis axis = SiteAxes(polarBalls, shape, execution.between(0.1, 0.9)).best();
   if (axis.betti != shape.betti && options.fallback == AxisFallback::Collapse)
   {
-    const AxisComplex exact = collapsedShape(polarBalls, shape, execution);
-    axis = axisOf(repairedPieces(axis, exact, piecesOfBalls(shape, polarBalls.sides)));
+    const AxisComplex exact = collapsedShape(polarBalls, execution);
+    axis = axisOf(repairedPieces(axis, exact, piecesOfBalls(polarBalls)));
     axis.betti = bettiNumbers(axis.cells);
     axis.fallback = true;
     axis.kappa = -1;

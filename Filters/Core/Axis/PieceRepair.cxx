@@ -197,11 +197,12 @@ AxisComplex joined(const Chosen& a, const Chosen& b)
 }
 }
 
-std::vector<Index> piecesOfBalls(const PowerShape& shape, const std::vector<Side>& sides)
+std::vector<Index> piecesOfBalls(const PolarBalls& polarBalls)
 {
+  const std::vector<Side>& sides = polarBalls.sides;
   DisjointSets pieces(count(sides));
   const auto isInner = [&sides](Index ball) { return sides[ball] == Side::Inner; };
-  for (const Tetrahedron& cell : shape.triangulation.cells)
+  for (const Tetrahedron& cell : polarBalls.triangulation.cells)
   {
     for (const auto& edge : cellEdges)
     {

@@ -3,7 +3,7 @@
 #define medial_PieceRepair_h
 
 #include "Axis/AxisComplex.h"
-#include "Balls/PowerShape.h"
+#include "Balls/PolarBalls.h"
 #include "Base/Types.h"
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace medial
 {
 /// The connected pieces of a power shape: for each ball the lowest ball of its piece, None where it is not
 /// inner.
-std::vector<Index> piecesOfBalls(const PowerShape& shape, const std::vector<Side>& sides);
+std::vector<Index> piecesOfBalls(const PolarBalls& polarBalls);
 
 /// Puts an axis together, so that one bad place spoils only the piece of the solid that it is in: each piece
 /// comes from `axis` where that has the Betti numbers of `exact` there and does not join it to another

@@ -164,8 +164,7 @@ void describeCells(const std::vector<FacePolygon>& polygons, const ShapeSites& s
 }
 }
 
-AxisComplex collapsedShape(
-  const PolarBalls& polarBalls, const PowerShape& shape, const Execution& execution)
+AxisComplex collapsedShape(const PolarBalls& polarBalls, const Execution& execution)
 {
   const Frame frame = frameOf(polarBalls.samples);
   std::vector<Ball> balls;
@@ -177,7 +176,7 @@ AxisComplex collapsedShape(
     sites.geometry.ball.push_back(b);
   }
   std::vector<char> isLeft = innerBalls(polarBalls.sides);
-  ShapeComplex complex(shape.triangulation, isLeft);
+  ShapeComplex complex(polarBalls.triangulation, isLeft);
   execution.poll();
   collapseToSheets(complex, sites.geometry.points, execution);
   std::vector<FacePolygon> polygons = facePolygons(complex, polarBalls, balls, frame, sites);

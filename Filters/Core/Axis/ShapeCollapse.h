@@ -4,15 +4,13 @@
 
 #include "Axis/AxisComplex.h"
 #include "Balls/PolarBalls.h"
-#include "Balls/PowerShape.h"
 #include "Base/Execution.h"
 
 namespace medial
 {
 /// The power shape collapsed to sheets and curves (GuidedCollapse.h), without slivers (Trimming.h). The
 /// topology is the power shape's, by construction. All points are poles, and nearly all poles are points.
-AxisComplex collapsedShape(
-  const PolarBalls& polarBalls, const PowerShape& shape, const Execution& execution = {});
+AxisComplex collapsedShape(const PolarBalls& polarBalls, const Execution& execution = {});
 }
 
 #endif

@@ -59,7 +59,7 @@ struct Crossing
 std::vector<Crossing> crossings(const PolarBalls& polarBalls, const PowerShape& shape,
   const Frame& frame, const Execution& execution)
 {
-  const PowerLocator locator(shape.triangulation, polarBalls.balls, frame);
+  const PowerLocator locator(polarBalls.triangulation, polarBalls.balls, frame);
   std::vector<std::optional<Crossing>> found(2 * shape.triangles.size());
   execution.forEach(count(found), [&](Index i) {
     const ShapeTriangle& triangle = shape.triangles[i / 2];
@@ -68,7 +68,7 @@ std::vector<Crossing> crossings(const PolarBalls& polarBalls, const PowerShape& 
     {
       return;
     }
-    const Triangle balls = seenFrom(shape.triangulation, triangle, i % 2);
+    const Triangle balls = seenFrom(polarBalls.triangulation, triangle, i % 2);
     if (sharedSample(polarBalls, balls) != None)
     {
       return; // the singular point is that sample

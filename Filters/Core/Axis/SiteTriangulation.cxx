@@ -31,7 +31,7 @@ struct Classifier
   bool isOnShape(const Point& p, Index cell) const
   {
     std::vector<Point> inner;
-    for (const Index ball : this->shape.triangulation.cells[cell])
+    for (const Index ball : this->polarBalls.triangulation.cells[cell])
     {
       if (this->polarBalls.sides[ball] == Side::Inner)
       {
@@ -124,7 +124,7 @@ SiteTriangulation siteTriangulation(const PolarBalls& polarBalls, const PowerSha
   execution.report(0.6);
 
   const Index cellCount = count(result.mesh.cells);
-  const PowerLocator locator(shape.triangulation, polarBalls.balls, frame);
+  const PowerLocator locator(polarBalls.triangulation, polarBalls.balls, frame);
   const std::vector<Ball>& balls = locator.balls();
   const std::vector<double> largest = largestBalls(sites, balls);
   const Eigen::AlignedBox3d box = boundingBox(polarBalls.samples);

@@ -84,8 +84,7 @@ Warning inverted(Index sampleCount)
 {
   return { "inverted_normals",
     "The normals point into the solid: on most of its outside they do. All were turned around. "
-    "Give "
-    "normals that point outwards.",
+    "Give normals that point outwards.",
     sampleCount, {}, false };
 }
 
@@ -178,8 +177,7 @@ Warnings normalWarnings(const NormalVotes& votes, const DistinctSamples& distinc
   return { { "contradicting_normals",
     text("The normals of ", contradicting, " of ", total,
       " samples say that a ball is on the other side than the normals around it. Orient the "
-      "normals "
-      "alike; sample sharp edges and thin walls more densely."),
+      "normals alike; sample sharp edges and thin walls more densely."),
     contradicting, place, doubtsSolid } };
 }
 }

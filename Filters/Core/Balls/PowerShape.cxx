@@ -14,8 +14,7 @@ PowerShape powerShape(const PolarBalls& polarBalls, const Execution& execution)
 {
   const std::vector<char> inner = innerBalls(polarBalls.sides);
   PowerShape shape;
-  shape.triangulation = polarBalls.triangulation;
-  const Tetrahedra& mesh = shape.triangulation;
+  const Tetrahedra& mesh = polarBalls.triangulation;
   execution.report(0.5);
   shape.contains.resize(mesh.cells.size());
   std::transform(mesh.cells.begin(), mesh.cells.end(), shape.contains.begin(),

@@ -4,7 +4,6 @@
 
 #include "Balls/PolarBalls.h"
 #include "Base/Execution.h"
-#include "Base/Tetrahedra.h"
 #include "Base/Types.h"
 
 #include <vector>
@@ -27,14 +26,13 @@ struct ShapeTriangle
 /// balls overlap. All balls through a sample meet there, so rounding error would decide that.
 struct PowerShape
 {
-  Tetrahedra triangulation;   ///< of all balls, with neighbours
-  std::vector<char> contains; ///< for each cell: is it in the power shape?
+  std::vector<char>
+    contains; ///< for each cell of the balls' triangulation: is it in the power shape?
   std::vector<ShapeTriangle> triangles;
   Betti betti;
 };
 
 /// The power shape of `polarBalls`.
-/// @throw InvalidInput  the cells aren't a triangulation: a triangle with more than two cells
 PowerShape powerShape(const PolarBalls& polarBalls, const Execution& execution = {});
 }
 

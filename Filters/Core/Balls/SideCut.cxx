@@ -43,7 +43,7 @@ class Network
 {
 public:
   explicit Network(Index ballCount)
-    : Balls(ballCount)
+    : balls(ballCount)
   {
   }
 
@@ -56,16 +56,16 @@ public:
   void fix(Index ball, Side side)
   {
     const bool isInner = side == Side::Inner;
-    this->Pipes.push_back({ this->source(), isInner ? inner(ball) : outer(ball), certain, 0 });
-    this->Pipes.push_back({ isInner ? outer(ball) : inner(ball), this->sink(), certain, 0 });
+    this->pipes.push_back({ this->source(), isInner ? inner(ball) : outer(ball), certain, 0 });
+    this->pipes.push_back({ isInner ? outer(ball) : inner(ball), this->sink(), certain, 0 });
   }
 
   /// For each ball its side in a minimum cut; hidden where its nodes don't agree.
   std::vector<Side> cut() const
   {
     const std::vector<char> isTrue = this->trueNodes();
-    std::vector<Side> result(this->Balls, Side::Hidden);
-    for (Index b = 0; b < this->Balls; ++b)
+    std::vector<Side> result(this->balls, Side::Hidden);
+    for (Index b = 0; b < this->balls; ++b)
     {
       if (isTrue[outer(b)] != isTrue[inner(b)])
       {
@@ -82,18 +82,18 @@ private:
 
   static int outer(Index ball) { return 2 * ball; }
   static int inner(Index ball) { return 2 * ball + 1; }
-  int source() const { return 2 * this->Balls; }
-  int sink() const { return 2 * this->Balls + 1; }
+  int source() const { return 2 * this->balls; }
+  int sink() const { return 2 * this->balls + 1; }
 
   void join(int a, int b, Capacity capacity)
   {
-    this->Pipes.push_back({ a, b, capacity, capacity });
+    this->pipes.push_back({ a, b, capacity, capacity });
   }
 
   /// Both directions of all pipes, by where they begin: pipe i is 2i and 2i + 1.
   std::vector<int> directions() const
   {
-    std::vector<int> result(2 * this->Pipes.size());
+    std::vector<int> result(2 * this->pipes.size());
     for (std::size_t i = 0; i < result.size(); ++i)
     {
       result[i] = static_cast<int>(i);
@@ -105,7 +105,7 @@ private:
 
   std::pair<int, int> ends(int direction) const
   {
-    const Pipe& pipe = this->Pipes[direction / 2];
+    const Pipe& pipe = this->pipes[direction / 2];
     return direction % 2 == 0 ? std::pair(pipe.from, pipe.to) : std::pair(pipe.to, pipe.from);
   }
 
@@ -114,13 +114,13 @@ private:
   {
     const std::vector<int> order = this->directions();
     const std::size_t size = order.size();
-    const int nodes = 2 * this->Balls + 2;
+    const int nodes = 2 * this->balls + 2;
     std::vector<std::pair<int, int>> edges(size);
     std::vector<Capacity> capacities(size), rest(size);
     std::vector<int> place(size);
     for (std::size_t k = 0; k < size; ++k)
     {
-      const Pipe& pipe = this->Pipes[order[k] / 2];
+      const Pipe& pipe = this->pipes[order[k] / 2];
       edges[k] = this->ends(order[k]);
       capacities[k] = order[k] % 2 == 0 ? pipe.there : pipe.back;
       place[order[k]] = static_cast<int>(k);
@@ -150,8 +150,8 @@ private:
     return result;
   }
 
-  Index Balls;
-  std::vector<Pipe> Pipes;
+  Index balls; ///< how many
+  std::vector<Pipe> pipes;
 };
 
 /// The best sides where links of poles count `weight` times.

@@ -80,7 +80,8 @@ struct Draft
   std::vector<Point> samples;
   std::vector<Index> ids;
 
-  void keep(const std::vector<char>& isKept)
+  /// Drops the other samples, and tells how many.
+  Index keep(const std::vector<char>& isKept)
   {
     std::size_t next = 0;
     for (std::size_t s = 0; s < isKept.size(); ++s)
@@ -91,8 +92,10 @@ struct Draft
         this->ids[next++] = this->ids[s];
       }
     }
+    const Index dropped = count(this->samples) - static_cast<Index>(next);
     this->samples.resize(next);
     this->ids.resize(next);
+    return dropped;
   }
 };
 
@@ -135,9 +138,7 @@ Index dropOutliers(double factor, Draft& draft, const Execution& execution)
     }
     isKept[s] = spacings[s] <= factor * median(std::move(around));
   });
-  const Index before = count(draft.samples);
-  draft.keep(isKept);
-  return before - count(draft.samples);
+  return draft.keep(isKept);
 }
 
 double noiseOf(const std::vector<Point>& samples, const Execution& execution)
@@ -170,9 +171,7 @@ Index thinOut(double factor, Draft& draft, const Execution& execution)
       isKept[n] = isKept[n] && n <= s;
     }
   }
-  const Index before = count(draft.samples);
-  draft.keep(isKept);
-  return before - count(draft.samples);
+  return draft.keep(isKept);
 }
 
 /// Normals with a common orientation; zero where none was found.

@@ -26,7 +26,7 @@ struct Start
     , shape(medial::powerShape(balls))
     , sites(medial::siteTriangulation(
         balls, shape, medial::singularPoints(balls, shape), medial::frameOf(samples)))
-    , pieces(medial::piecesOfBalls(shape, balls.sides))
+    , pieces(medial::piecesOfBalls(balls))
   {
   }
 

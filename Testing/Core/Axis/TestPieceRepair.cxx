@@ -125,7 +125,7 @@ TEST(PieceRepair, KeepsVerticesEdgesAndTrianglesInTheirOrder)
 TEST(PieceRepair, PiecesOfBallsAreThoseOfTheSolid)
 {
   pipelines::forEachShape([](Pipeline& p) {
-    const std::vector<Index> pieces = medial::piecesOfBalls(p.powerShape(), p.balls().sides);
+    const std::vector<Index> pieces = medial::piecesOfBalls(p.balls());
     std::set<Index> lowest;
     for (std::size_t ball = 0; ball < pieces.size(); ++ball)
     {

@@ -17,7 +17,7 @@ namespace
 MedialAxis collapsedAxis(const medial::PolarBalls& balls, const medial::PowerShape& shape)
 {
   MedialAxis axis{};
-  static_cast<medial::AxisComplex&>(axis) = medial::collapsedShape(balls, shape);
+  static_cast<medial::AxisComplex&>(axis) = medial::collapsedShape(balls);
   axis.betti = medial::bettiNumbers(axis.cells);
   axis.powerShapeBetti = shape.betti;
   axis.ballOwner.assign(balls.balls.size(), None);
@@ -92,7 +92,7 @@ TEST(ShapeCollapse, HasNearlyAllPolesAndNoOtherPoints)
 TEST(ShapeCollapse, KnowsTheTwoSamplesOfMostTriangles)
 {
   forEachShape([](Pipeline& p) {
-    const medial::AxisComplex axis = medial::collapsedShape(p.balls(), p.powerShape());
+    const medial::AxisComplex axis = medial::collapsedShape(p.balls());
     Index known = 0;
     for (Index t = 0; t < medial::count(axis.cells.triangles); ++t)
     {
@@ -116,7 +116,7 @@ TEST(ShapeCollapse, KnowsTheTwoSamplesOfMostTriangles)
 TEST(ShapeCollapse, LiesOnTheExactAxis)
 {
   forEachShape([](Pipeline& p) {
-    const medial::AxisComplex axis = medial::collapsedShape(p.balls(), p.powerShape());
+    const medial::AxisComplex axis = medial::collapsedShape(p.balls());
     double sum = 0, areas = 0;
     for (const medial::Triangle& t : axis.cells.triangles)
     {
@@ -133,7 +133,7 @@ TEST(ShapeCollapse, LiesOnTheExactAxis)
 TEST(ShapeCollapse, HasAnEntryForEachCell)
 {
   forEachShape([](Pipeline& p) {
-    const medial::AxisComplex axis = medial::collapsedShape(p.balls(), p.powerShape());
+    const medial::AxisComplex axis = medial::collapsedShape(p.balls());
     EXPECT_EQ(medial::count(axis.polygonOfCell), axis.cells.size());
     EXPECT_EQ(medial::count(axis.samplesOfCell), axis.cells.size());
     EXPECT_EQ(medial::count(axis.siteViews), axis.cells.size());
