@@ -343,6 +343,7 @@ std::string report(
         { "verdict", verdict(simplify) },
         { "warnings", warnings(simplify) },
         { "fallback", truth(fieldValue(simplify->GetMedialAxis()->GetOutput(), "Fallback") != 0) },
+        { "filledGaps", number(fieldValue(simplify->GetMedialAxis()->GetOutput(), "FilledGaps")) },
         { "iterations",
           iterations(vtkTable::SafeDownCast(simplify->GetMedialPrune()->GetOutputDataObject(1))) },
         { "parts",

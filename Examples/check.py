@@ -31,6 +31,12 @@ DATA = {"balls.vtu", "samples.vtp", "axis.vtp", "parts.vtp", "pruned.vtp", "surf
 PICTURES = {"samples.png", "axis.png", "parts.png", "pruned.png", "surface.png", "overview.png"}
 
 
+def noisy_ellipsoid(noise, step):
+    """Points off an ellipsoid by up to `noise` of their distance from its middle."""
+    return [tuple(c * (1 - noise + 2 * noise * (step * (i + 1) % 1)) for c in point)
+            for i, point in enumerate(ellipsoid())]
+
+
 def grid_cube(n, sides):
     """The points of some sides of a cube, (n + 1)^2 on each; the last side is the lid."""
     for axis, end in [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1)][:sides]:
@@ -127,6 +133,7 @@ class SimplifyShape(ProgramTest):
             ("powerShape", "axis", "pruned", "crust"), [1, 0, 0])})
         self.assertEqual((report["source"], report["sampling"]), ("points", None))
         self.assertIs(report["certificate"], True)
+        self.assertEqual((report["fallback"], report["filledGaps"]), (False, 0))
         self.assertEqual(report["verdict"], {"name": "certified", "differs": []})
         self.assertEqual(report["warnings"], [])
         exact = 4 / 3 * math.pi * 0.7 * 0.5
@@ -176,8 +183,7 @@ class SimplifyShape(ProgramTest):
     def test_verdict_compares_all_stages(self):
         """Noise of 20 % of the radius makes tunnels that are narrower than the samples are apart."""
         for step in (0.6180339887, 0.7548776662, 0.5698402909):
-            points = [tuple(c * (0.8 + 0.4 * (step * (i + 1) % 1)) for c in point)
-                      for i, point in enumerate(ellipsoid())]
+            points = noisy_ellipsoid(0.2, step)
             out = self.path("noisy")
             done = self.run_program(self.write_xyz(points), "--output", out, "--strict")
             with open(os.path.join(out, "report.json")) as file:
@@ -193,6 +199,11 @@ class SimplifyShape(ProgramTest):
             for text in report["verdict"]["differs"]:
                 self.assertIn(text, done.stdout)
             self.check_warnings(report, done)
+
+    def test_filled_gaps_are_told(self):
+        report, _ = self.simplify(noisy_ellipsoid(0.1, 0.5698402909))
+        self.assertGreater(report["filledGaps"], 0)
+        self.assertFalse(report["fallback"])
 
     def check_warnings(self, report, done):
         """The summary tells each warning, and nothing repeats it."""
