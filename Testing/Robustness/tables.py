@@ -23,20 +23,21 @@ def key_of(line):
     return line.split("|")[1].strip(" `")
 
 
-def write(name, header, rows, keys):
+def write(name, header, rows, keys, readme=README):
     """Puts rows, by their first cells, into the table of a name; keeps its other rows.
 
-    rows  the new rows
-    keys  the first cells of all rows, in the table's order
+    rows    the new rows
+    keys    the first cells of all rows, in the table's order
+    readme  the file that has the table
     """
     begin, end = f"<!-- table of {name}: begin -->\n", f"<!-- table of {name}: end -->\n"
-    before, found, rest = README.read_text().partition(begin)
+    before, found, rest = readme.read_text().partition(begin)
     table, _, after = rest.partition(end)
     if not found:
-        raise ValueError(f"{README} has no table of {name}")
+        raise ValueError(f"{readme} has no table of {name}")
     old = {key_of(line): line for line in table.splitlines(keepends=True) if line.startswith("|")}
     lines = [rows.get(key) or old.get(key, "") for key in keys]
-    README.write_text(before + begin + "\n" + header + "".join(lines) + "\n" + end + after)
+    readme.write_text(before + begin + "\n" + header + "".join(lines) + "\n" + end + after)
 
 
 def tabulate(usage, name, header, right, row, what_fine):
