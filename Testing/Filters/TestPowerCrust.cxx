@@ -151,7 +151,7 @@ TEST(PowerCrust, ShrinksWhereTheAxisWasPruned)
 {
   vtkNew<vtkMedialPrune> prune;
   prune->SetInputData(boxPipeline().parts->GetOutput());
-  prune->AddIteration(vtkMedialPrune::RELATIVE_VOLUME, 0.2);
+  prune->SetSchedule("v20%");
   vtkSmartPointer<vtkPowerCrust> all = boxCrust(), some = boxCrust();
   some->SetAxisConnection(prune->GetOutputPort());
   all->Update();

@@ -26,6 +26,61 @@ std::vector<char> ballsAtPoints(const MedialAxis& axis, const std::vector<char>&
   }
   return result;
 }
+
+/// The points of each polar ball that cells of the axis may use.
+IndexLists pointsOfBalls(const MedialAxis& axis, Index pointCount)
+{
+  return listsByKey(count(axis.ballOwner), [&](const auto& add) {
+    for (Index p = 0; p < pointCount; ++p)
+    {
+      if (axis.ballOfPoint[p] != None)
+      {
+        add(axis.ballOfPoint[p], p);
+      }
+    }
+  });
+}
+
+/// Parts, ascending, each once, with shares in proportion to their sizes. Where none has a size, all are
+/// alike.
+std::vector<BallShare> sharesBySize(
+  const std::vector<Index>& parts, const std::vector<double>& sizeOfPart)
+{
+  double total = 0;
+  for (const Index part : parts)
+  {
+    total += sizeOfPart[part];
+  }
+  std::vector<BallShare> result;
+  for (const Index part : parts)
+  {
+    const double share =
+      total > 0 ? sizeOfPart[part] / total : 1 / static_cast<double>(parts.size());
+    result.push_back({ part, share });
+  }
+  return result;
+}
+}
+
+Lists<BallShare> ballShares(const MedialAxis& axis, const std::vector<Index>& partOfCell,
+  const std::vector<double>& sizeOfPart, const IndexLists& cellsOfPoint)
+{
+  const IndexLists pointsOfBall = pointsOfBalls(axis, cellsOfPoint.size());
+  Lists<BallShare> result;
+  std::vector<Index> parts, all;
+  for (Index ball = 0; ball < pointsOfBall.size(); ++ball)
+  {
+    all.clear();
+    for (const Index p : pointsOfBall[ball])
+    {
+      partsOf(cellsOfPoint[p], partOfCell, parts);
+      all.insert(all.end(), parts.begin(), parts.end());
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    result.append(sharesBySize(all, sizeOfPart));
+  }
+  return result;
 }
 
 std::vector<Index> partOfBall(

@@ -12,6 +12,22 @@
 /// Which part holds which polar ball. An inner ball that is not on the axis follows its owner there.
 namespace medial
 {
+/// What share of a polar ball's volume counts for a part.
+struct BallShare
+{
+  Index part;
+  double share; ///< 0 ... 1
+};
+
+/// For each polar ball on the axis the shares of the parts at its medial points, by part; they sum to 1.
+/// Empty for the other balls. The shares are in proportion to the sizes of the parts: if a spike on a
+/// large sheet goes, the sheet keeps the balls at its root. No share jumps where parts of one size meet.
+/// @param partOfCell    for each cell of the axis, or None
+/// @param sizeOfPart    for each part, not negative; where all at a ball are 0 they have equal shares
+/// @param cellsOfPoint  of the axis
+Lists<BallShare> ballShares(const MedialAxis& axis, const std::vector<Index>& partOfCell,
+  const std::vector<double>& sizeOfPart, const IndexLists& cellsOfPoint);
+
 /// The one part that each polar ball counts for: of the parts at its medial point the one with most
 /// cells there, the first of several. So every volume is counted once. A ball off the axis counts for
 /// the part of its owner. None where the owner is no longer on the axis.

@@ -80,16 +80,33 @@ Values triangleCounts(const PartMeasures&, const Partition& partition, const Exe
   return overCells(partition, [](double sum, Index) { return sum + 1; });
 }
 
-Values relativeVolumes(const PartMeasures& measures, const Partition& partition, const Execution&)
+Values areas(const PartMeasures& measures, const Partition& partition, const Execution&)
 {
-  Values result(partition.cells.size(), 0);
-  const std::vector<Index> partOf =
-    partOfBall(measures.axis, partition.partOfCell, measures.cellsOfPoint);
-  for (Index b = 0; b < count(partOf); ++b)
+  const Index firstTriangle = measures.axis.cells.firstTriangle();
+  return overCells(partition, [&](double sum, Index cell) {
+    return cell < firstTriangle ? sum : sum + measures.sizes[cell];
+  });
+}
+
+Values relativeVolumes(
+  const PartMeasures& measures, const Partition& partition, const Execution& execution)
+{
+  const MedialAxis& axis = measures.axis;
+  Values result(partition.cells.size(), 0), owned(axis.ballOwner.size(), 0);
+  for (Index b = 0; b < count(owned); ++b)
   {
-    if (partOf[b] != None && measures.solidVolume > 0)
+    if (axis.ballOwner[b] != None && measures.solidVolume > 0)
     {
-      result[partOf[b]] += measures.axis.ballVolumes[b] / measures.solidVolume;
+      owned[axis.ballOwner[b]] += axis.ballVolumes[b] / measures.solidVolume;
+    }
+  }
+  const Lists<BallShare> shares = ballShares(
+    axis, partition.partOfCell, areas(measures, partition, execution), measures.cellsOfPoint);
+  for (Index b = 0; b < count(owned); ++b)
+  {
+    for (const BallShare& held : shares[b])
+    {
+      result[held.part] += owned[b] * held.share;
     }
   }
   return result;
@@ -111,14 +128,6 @@ Values relativePoleVolumes(
     }
   });
   return result;
-}
-
-Values areas(const PartMeasures& measures, const Partition& partition, const Execution&)
-{
-  const Index firstTriangle = measures.axis.cells.firstTriangle();
-  return overCells(partition, [&](double sum, Index cell) {
-    return cell < firstTriangle ? sum : sum + measures.sizes[cell];
-  });
 }
 
 /// Adds up from the lowest point to the highest, so that the order of the cells doesn't matter.

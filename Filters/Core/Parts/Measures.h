@@ -27,7 +27,8 @@ enum class Measure
   TriangleCount = 0,
 
   /// Volume of the Delaunay cells that count for the part's balls / the same of all balls. Each inner
-  /// cell counts for one ball and each ball for one part, so that the values of all parts sum to 1.
+  /// cell counts for one ball. Parts that meet at a ball share it in proportion to their areas, see
+  /// ballShares(), so that the values of all parts sum to 1.
   RelativeVolume = 1,
 
   /// The same for the Delaunay cells on the poles at the part's points alone, as the paper says

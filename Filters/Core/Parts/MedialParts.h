@@ -19,9 +19,9 @@ namespace medial
 /// triangles; or one dangling chain of edges; or a single vertex.
 struct MedialPart
 {
-  int dimension; ///< 2: triangles, 1: edges, 0: a vertex
-  int level;     ///< 1 at the border of the axis, +1 inwards; 0: closed sheet, never reached
-  double volume; ///< of the Delaunay cells whose ball is this part's, cube of the samples' unit
+  int dimension;        ///< 2: triangles, 1: edges, 0: a vertex
+  int level;            ///< 1 at the border of the axis, +1 inwards; 0: closed sheet, never reached
+  double volume;        ///< of its shares of its balls' Delaunay cells, cube of the samples' unit
   double minimumRadius; ///< of the maximal balls at its points
   Index contacts;       ///< number of contact curves it has a share in
   Index neighbors;      ///< number of parts that it shares a contact with

@@ -209,29 +209,6 @@ TEST(MedialParts, RelativeVolumesSumToOne)
   });
 }
 
-TEST(MedialParts, VolumesAreThoseOfTheirBalls)
-{
-  forEachShape([](Pipeline& p) {
-    const std::vector<Index> partOfBall = medial::partOfBall(p.axis(), p.parts().partOfCell);
-    ASSERT_EQ(partOfBall.size(), p.axis().ballVolumes.size());
-    std::vector<double> volumes(p.parts().parts.size(), 0);
-    for (std::size_t b = 0; b < partOfBall.size(); ++b)
-    {
-      const Index owner = p.axis().ballOwner[b];
-      EXPECT_EQ(partOfBall[b] == None, owner == None);
-      if (owner != None)
-      {
-        EXPECT_EQ(partOfBall[b], partOfBall[owner]);
-        volumes[partOfBall[b]] += p.axis().ballVolumes[b];
-      }
-    }
-    for (std::size_t i = 0; i < volumes.size(); ++i)
-    {
-      EXPECT_NEAR(p.parts().parts[i].volume, volumes[i], 1e-9 * p.shape.volume);
-    }
-  });
-}
-
 TEST(MedialParts, OfABallHasMostOfTheCellsThere)
 {
   forEachShape([](Pipeline& p) {
