@@ -235,14 +235,20 @@ TEST(Moves, LeaveASphereOneBall)
   }
 }
 
+// The steps of voxels fit a ball, and one with tunnels under the steps: rounding may decide, but all
+// images are doubted for the same reason.
 TEST(Moves, LeaveWhatIsAmbiguousInDoubt)
 {
   for (const Image& image : images(voxelBall(10)))
   {
     SCOPED_TRACE(image.name);
-    const auto doubtsSolid = [](const medial::Warning& warning) { return warning.doubtsSolid; };
     const medial::Warnings warnings = medial::polarBallsAndSamples(image.samples).samples.warnings;
-    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), doubtsSolid));
+    const auto found =
+      std::find_if(warnings.begin(), warnings.end(), [](const medial::Warning& warning) {
+        return warning.code == std::string("contested_sides");
+      });
+    ASSERT_TRUE(found != warnings.end());
+    EXPECT_TRUE(found->doubtsSolid);
   }
 }
 
