@@ -103,6 +103,54 @@ void mergeNearDuplicates(
     distinct.tolerance = std::max(distinct.tolerance, moved);
   }
 }
+
+/// How samples lie that enclose no volume, in words, and what to do. Empty where they may enclose one.
+struct Flatness
+{
+  std::string shape, remedy;
+};
+
+/// @param points  at least three, in local units
+Flatness flatness(const std::vector<Point>& points, const Frame& frame)
+{
+  const std::string surfaceIsNeeded = "; points of a closed surface are needed";
+  const auto farthest = [&points](const auto& distance) {
+    return *std::max_element(points.begin(), points.end(),
+      [&](const Point& p, const Point& q) { return distance(p) < distance(q); });
+  };
+  // Greedily, the largest tetrahedron from the first point: the farthest point b, then c farthest from
+  // the line ab, then the point farthest from the plane abc.
+  const Point a = points.front();
+  const Point b = farthest([&](const Point& p) { return (p - a).norm(); });
+  const Point direction = (b - a).normalized();
+  const auto fromLine = [&](const Point& p) { return (p - a).cross(direction).norm(); };
+  const Point c = farthest(fromLine);
+  // Each coordinate is known to half a unit in the last place, given ones and local ones.
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() *
+    (1 + frame.center.cwiseAbs().maxCoeff() * frame.scale);
+  if (fromLine(c) <= rounding)
+  {
+    return { "on one line", surfaceIsNeeded };
+  }
+  const Point normal = (b - a).cross(c - a).normalized();
+  const auto fromPlane = [&](const Point& p) { return std::abs((p - a).dot(normal)); };
+  const double length = (b - a).norm(), width = fromLine(c);
+  // Rounding tilts the plane through a, b, c by this much.
+  if (fromPlane(farthest(fromPlane)) > rounding * std::max(1.0, length / width))
+  {
+    return {};
+  }
+  const double thin =
+    1e-3; // only words depend on it: thinner samples are a line with some rounding
+  if (width < thin * length)
+  {
+    return { text("within ", width / frame.scale, " of one line, which is ", length / frame.scale,
+               " long: too near to it to tell whether they enclose a volume"),
+      "; give tiny objects that are far from each other one by one, and remove points that are far "
+      "from all others" };
+  }
+  return { "in one plane", surfaceIsNeeded };
+}
 }
 
 DistinctSamples distinctSamples(const std::vector<Point>& samples, const MergeOptions& options)
@@ -137,53 +185,25 @@ Warnings mergeWarnings(const std::vector<Point>& samples, const DistinctSamples&
     distinct.nearDuplicates, samples[first], false } };
 }
 
-void requireVolume(const DistinctSamples& distinct)
+void requireVolume(const std::vector<Point>& samples, const DistinctSamples& distinct)
 {
-  const std::vector<Point>& points = distinct.points;
-  if (points.size() < 4)
+  const std::string merged = distinct.nearDuplicates == 0
+    ? ""
+    : text(", because ", distinct.nearDuplicates, " lie within the merge tolerance of others");
+  if (distinct.points.size() < 4)
   {
-    const std::string merged = distinct.nearDuplicates == 0
-      ? ""
-      : text(", because ", distinct.nearDuplicates, " lie within the merge tolerance of others");
-    throw InvalidInput("there are only ", points.size(), " distinct samples", merged,
+    throw InvalidInput("there are only ", distinct.points.size(), " distinct samples", merged,
       "; at least 4 points of a closed surface are needed");
   }
-  const auto farthest = [&points](const auto& distance) {
-    return *std::max_element(points.begin(), points.end(),
-      [&](const Point& p, const Point& q) { return distance(p) < distance(q); });
-  };
-  // Greedily, the largest tetrahedron from the first point: the farthest point b, then c farthest from
-  // the line ab, then the point farthest from the plane abc.
-  const Point a = points.front();
-  const Point b = farthest([&](const Point& p) { return (p - a).norm(); });
-  const Point direction = (b - a).normalized();
-  const auto fromLine = [&](const Point& p) { return (p - a).cross(direction).norm(); };
-  const Point c = farthest(fromLine);
-  // Each coordinate is known to half a unit in the last place, given ones and local ones.
-  const double rounding = 8 * std::numeric_limits<double>::epsilon() *
-    (1 + distinct.frame.center.cwiseAbs().maxCoeff() * distinct.frame.scale);
-  if (fromLine(c) <= rounding)
-  {
-    throw InvalidInput("all samples are on one line; points of a closed surface are needed");
-  }
-  const Point normal = (b - a).cross(c - a).normalized();
-  const auto fromPlane = [&](const Point& p) { return std::abs((p - a).dot(normal)); };
-  const double length = (b - a).norm(), width = fromLine(c);
-  // Rounding tilts the plane through a, b, c by this much.
-  if (fromPlane(farthest(fromPlane)) > rounding * std::max(1.0, length / width))
+  const Flatness flat = flatness(distinct.points, distinct.frame);
+  if (flat.shape.empty())
   {
     return;
   }
-  const double thin =
-    1e-3; // only words depend on it: thinner samples are a line with some rounding
-  if (width < thin * length)
-  {
-    throw InvalidInput("all samples are within ", width / distinct.frame.scale,
-      " of one line, which is ", length / distinct.frame.scale,
-      " long: too near to it to tell whether they enclose a volume; give tiny objects that are far "
-      "from each other one by one, and remove points that are far from all others");
-  }
-  throw InvalidInput("all samples are in one plane; points of a closed surface are needed");
+  const bool isByMerging = distinct.nearDuplicates > 0 &&
+    flatness(distinctPlaces(samples).points, distinct.frame).shape.empty();
+  throw InvalidInput("all samples are ", flat.shape, isByMerging ? merged : "",
+    isByMerging ? "; set a smaller merge tolerance" : flat.remedy);
 }
 
 std::array<Point, 8> guards(const std::vector<Point>& points)

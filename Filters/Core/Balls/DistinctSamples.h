@@ -47,9 +47,11 @@ DistinctSamples distinctSamples(
 /// near. Samples at the very same place are no reason: triangles without shared corners have them.
 Warnings mergeWarnings(const std::vector<Point>& samples, const DistinctSamples& distinct);
 
+/// @param samples   those that the distinct ones were made of
 /// @throw InvalidInput  there are fewer than four distinct samples, or all are on a line or in a
-///                      plane, up to the rounding of their coordinates
-void requireVolume(const DistinctSamples& distinct);
+///                      plane, up to the rounding of their coordinates; the message tells where it is so
+///                      only because near duplicates count as one
+void requireVolume(const std::vector<Point>& samples, const DistinctSamples& distinct);
 
 /// The guards: the corners of a cube about the points, in their unit. Half a side is 2.5 times the
 /// diagonal of their bounding box.

@@ -245,7 +245,7 @@ PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
   const std::vector<Point>& normals)
 {
   const DistinctSamples distinct = distinctSamples(samples, options);
-  requireVolume(distinct);
+  requireVolume(samples, distinct);
   const DelaunaySpheres spheres = delaunaySpheres(
     distinct.points, distinct.precision * distinct.frame.scale, execution.between(0, 0.2));
   const Poles polesOfSamples = poles(spheres);

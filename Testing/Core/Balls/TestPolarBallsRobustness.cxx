@@ -153,6 +153,29 @@ TEST(PolarBalls, RefuseTwoDistantSpecksBecauseOfTheirSize)
   EXPECT_NE(messageOf(specks).find("within the merge tolerance"), std::string::npos);
 }
 
+// A plate, and a bar, whose thickness is within the merge tolerance.
+TEST(PolarBalls, RefuseWhatMergingMadeFlatAndTellSo)
+{
+  std::vector<Point> plate, bar;
+  for (int i = 0; i < 200; ++i)
+  {
+    plate.emplace_back(i % 10, i / 10 % 10, 0.01 * (i / 100));
+    bar.emplace_back(i / 4, 0.01 * (i % 2), 0.01 * (i / 2 % 2));
+  }
+  const medial::MergeOptions wide{ 0.05, 0 }, none{ 0, 0 };
+  const std::string cause =
+    " lie within the merge tolerance of others; set a smaller merge tolerance";
+  EXPECT_NE(messageOf(plate, wide).find("in one plane, because 100" + cause), std::string::npos)
+    << messageOf(plate, wide);
+  EXPECT_NE(messageOf(bar, wide).find("on one line, because 150" + cause), std::string::npos)
+    << messageOf(bar, wide);
+  EXPECT_EQ(messageOf(plate, none).find("plane"), std::string::npos);
+  plate.resize(100);
+  plate.push_back(plate.front() + Point(0.01, 0, 0)); // flat anyway
+  EXPECT_NE(messageOf(plate, wide).find("in one plane; points"), std::string::npos)
+    << messageOf(plate, wide);
+}
+
 TEST(PolarBalls, RefuseCoordinatesThatAreNotFinite)
 {
   for (const double bad : { std::numeric_limits<double>::quiet_NaN(),
