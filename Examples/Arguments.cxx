@@ -137,7 +137,8 @@ std::vector<Option> inputOptions(Arguments& arguments)
 {
   return {
     { "--drop-invalid", "",
-      "leaves out points with a coordinate that is NaN or infinite, and counts them",
+      "leaves out points with a coordinate that is NaN or infinite, and the polygons at them, and\n"
+      "counts both",
       turnsOn(arguments.dropInvalid) },
     { "--merge-tolerance", "L",
       "takes samples so near each other for one where they stand apart from all others, in the\n"

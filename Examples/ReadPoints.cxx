@@ -10,8 +10,10 @@
 #include "ReadText.h"
 #include "ReadXml.h"
 
+#include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -26,6 +28,7 @@
 #include <filesystem>
 #include <fstream>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -79,8 +82,26 @@ bool isFinite(vtkPoints* points, vtkIdType i)
   return std::all_of(point.begin(), point.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// Only the finite points, as points alone: polygons might name others.
-vtkSmartPointer<vtkPolyData> finitePoints(vtkPolyData* data)
+/// The cells with new numbers for their points, without those that have a point without one (-1).
+vtkSmartPointer<vtkCellArray> renumbered(vtkCellArray* cells, const std::vector<vtkIdType>& numbers)
+{
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, points);
+    std::transform(points->begin(), points->end(), points->begin(),
+      [&numbers](vtkIdType point) { return numbers[point]; });
+    if (std::find(points->begin(), points->end(), -1) == points->end())
+    {
+      result->InsertNextCell(points);
+    }
+  }
+  return result;
+}
+
+/// Only the finite points, and the polygons of them alone.
+vtkSmartPointer<vtkPolyData> finitePart(vtkPolyData* data)
 {
   vtkPoints* points = data->GetPoints();
   vtkDataArray* normals = data->GetPointData()->GetNormals();
@@ -89,11 +110,12 @@ vtkSmartPointer<vtkPolyData> finitePoints(vtkPolyData* data)
   vtkNew<vtkDoubleArray> finiteNormals;
   finiteNormals->SetName("Normals");
   finiteNormals->SetNumberOfComponents(3);
+  std::vector<vtkIdType> numbers(points->GetNumberOfPoints(), -1); // of the finite ones
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     if (isFinite(points, i))
     {
-      finite->InsertNextPoint(points->GetPoint(i));
+      numbers[i] = finite->InsertNextPoint(points->GetPoint(i));
       if (normals)
       {
         finiteNormals->InsertNextTuple(i, normals);
@@ -102,6 +124,7 @@ vtkSmartPointer<vtkPolyData> finitePoints(vtkPolyData* data)
   }
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->SetPoints(finite);
+  result->SetPolys(renumbered(data->GetPolys(), numbers));
   result->GetPointData()->SetNormals(normals ? finiteNormals.Get() : nullptr);
   result->GetFieldData()->PassData(data->GetFieldData());
   return result;
@@ -113,7 +136,7 @@ Input readInput(const std::string& file, int series, bool dropInvalid)
   checkReadable(file);
   if (imageKind(file) != ImageKind::None)
   {
-    return { nullptr, readImage({ file, series }), 0 };
+    return { nullptr, readImage({ file, series }) };
   }
   const auto data = read(file, lowerCaseExtension(file));
   if (!data || !data->GetPoints() || data->GetNumberOfPoints() == 0)
@@ -137,5 +160,10 @@ Input readInput(const std::string& file, int series, bool dropInvalid)
       " points have a coordinate that is NaN or infinite, the first is point " +
       std::to_string(first) + " (counted from 0); --drop-invalid leaves them out");
   }
-  return { invalid > 0 ? finitePoints(data) : data, nullptr, invalid };
+  if (invalid == 0)
+  {
+    return { data, nullptr };
+  }
+  const auto finite = finitePart(data);
+  return { finite, nullptr, invalid, data->GetNumberOfPolys() - finite->GetNumberOfPolys() };
 }

@@ -10,17 +10,18 @@
 
 struct Input
 {
-  /// Points, their normals, and the polygons between them where no point was left out.
+  /// Points, their normals, and the polygons between them.
   vtkSmartPointer<vtkPolyData> samples;
   vtkSmartPointer<vtkImageData> image; ///< instead of samples, where the file has voxels
   vtkIdType invalid = 0;               ///< points left out, because a coordinate is NaN or infinite
+  vtkIdType invalidPolygons = 0;       ///< polygons left out, because such a point is a corner
 };
 
 /// The points of a .ply .stl .obj .vtp .vtu .off .xyz or .csv file, its polygons, which name existing points, and
 /// its normals, where it has some. Or the voxels of an image, see ReadImage.h.
 ///
 /// @param series       of a folder of DICOM files, see DicomSeries.h
-/// @param dropInvalid  leave points with a coordinate that is NaN or infinite out
+/// @param dropInvalid  leave points with a coordinate that is NaN or infinite out, and the polygons at them
 /// @throw InputError  the file can't be read, or has such points that must not be left out; says why
 Input readInput(const std::string& file, int series, bool dropInvalid);
 

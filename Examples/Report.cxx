@@ -336,6 +336,7 @@ std::string report(
         { "duplicates", number(fieldValue(samples, "NumberOfDuplicates")) },
         { "mergeTolerance", number(fieldValue(samples, "MergeTolerance")) },
         { "invalid", number(double(input.invalid)) },
+        { "invalidPolygons", number(double(input.invalidPolygons)) },
         { "balls", balls(simplify) },
         { "betti", betti(simplify, input) },
         { "certificate",
@@ -370,6 +371,9 @@ std::string summary(
   out << arguments.input << ": " << grouped(fieldValue(samples, "NumberOfSamples")) << " samples"
       << (isSampled(simplify) ? " on " + grouped(polygonCount(simplify, input)) + " polygons" : "")
       << (input.invalid > 0 ? ", " + grouped(double(input.invalid)) + " invalid ones dropped" : "")
+      << (input.invalidPolygons > 0
+             ? ", with " + grouped(double(input.invalidPolygons)) + " polygons at them"
+             : "")
       << "\n"
       << "  balls     " << grouped(fieldValue(samples, "NumberOfInnerBalls")) << " inner, "
       << grouped(fieldValue(samples, "NumberOfOuterBalls")) << " outer\n"

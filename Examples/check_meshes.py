@@ -42,6 +42,23 @@ class Meshes(ProgramTest):
             self.assertIn("samples on 12 polygons", done.stdout)
             self.assertIn("a surface around them", done.stdout)
 
+    def test_polygons_without_invalid_corners_stay(self):
+        corners = "".join("v %d %d %d\n" % (i & 1, (i >> 1 & 1) * 2, (i >> 2) * 3) for i in range(8))
+        sides = "f 2 4 5 3\nf 6 7 9 8\nf 2 3 7 6\nf 4 8 9 5\nf 2 6 8 4\nf 3 5 9 7\n"
+        for name, more, said in (("unused.obj", "", ""),
+                                 ("used.obj", "f 1 2 4\nf 4 2 1\n", ", with 2 polygons at them")):
+            box = self.write(name, "v nan 0 0\n" + corners + sides + more)
+            self.assertEqual(self.run_program(box, "--output", self.path("box")).returncode, 2)
+            done = self.run_program(box, "--output", self.path("box"), "--drop-invalid", "--strict",
+                                    "--spacing", "0.1")
+            self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
+            self.assertIn(" samples on 6 polygons, 1 invalid ones dropped%s\n" % said, done.stdout)
+            with open(self.path("box/report.json")) as file:
+                report = json.load(file)
+            self.assertEqual(report["source"], "triangles")
+            self.assertEqual((report["invalid"], report["invalidPolygons"]), (1, 2 if more else 0))
+            self.assertEqual(report["betti"]["crust"], [1, 0, 0])
+
 
 if __name__ == "__main__":
     unittest.main()
