@@ -107,7 +107,9 @@ int vtkPowerCrust::RequestData(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::PolarBalls balls = medial::readPolarBalls(input);
       vtkPolyData* axis = medial::axisOf(input, axes);
+      execution.poll();
       const KeptBalls kept(axis, input);
+      execution.poll();
       medial::Findings findings = medial::readFindings(input, axis);
       const medial::CrustOptions options{ static_cast<medial::CrustRule>(this->Rule),
         this->Clearance, this->MaximumRounds, kept.Topology };

@@ -134,15 +134,18 @@ AxisComplex dualComplex(const PolarBalls& polarBalls, const SingularPoints& sing
   execution.poll();
   AllVertices vertices = allVertices(polarBalls, sites, frame, dual);
   addMidpoints(faces.midpoints, frame, vertices);
+  execution.poll();
   const MergedVertices merging = mergeVertices(vertices.places, vertices.pole, polygons);
   execution.poll();
   drop(merging.merged, vertices);
   addMidpoints(merging.midpoints, frame, vertices);
-  drop(trimSheets(faceGeometry(vertices, singularPoints, sites, frame), polygons, execution),
-    vertices);
+  const FaceGeometry geometry = faceGeometry(vertices, singularPoints, sites, frame);
+  execution.poll();
+  drop(trimSheets(geometry, polygons, execution), vertices);
   execution.poll();
   AxisComplex axis;
   addPoints(vertices, polygons, axis);
+  execution.poll();
   addCells(polygons, sites, singularPoints, frame, axis, execution);
   execution.poll();
   return axis;

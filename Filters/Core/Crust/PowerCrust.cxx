@@ -120,8 +120,10 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   const CrustOptions& options, const Execution& execution)
 {
   requireValid(polarBalls, keep, options);
+  execution.poll();
   const Frame frame = frameOf(polarBalls.samples);
   ChosenBalls chosen = chosenBalls(polarBalls, keep, options.rule, frame);
+  execution.poll();
   PowerDiagram& diagram = chosen.diagram;
   const double spacing = polarBalls.spacing * frame.scale;
   RegularTriangulation triangulation;
@@ -136,6 +138,7 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   if (fills)
   {
     back.betti = markedBetti(mesh, diagram.inner);
+    execution.poll();
     if (options.topology && *options.topology != back.betti)
     {
       back = putBack(*options.topology, back.betti, polarBalls, frame, chosen, triangulation,
