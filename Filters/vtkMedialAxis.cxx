@@ -39,8 +39,9 @@ int vtkMedialAxis::RequestData(
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::AxisOptions options{ static_cast<medial::AxisFallback>(this->Fallback) };
-      const medial::MedialAxis axis =
-        medial::medialAxis(medial::readPolarBalls(balls), options, execution);
+      const medial::PolarBalls polarBalls = medial::readPolarBalls(balls);
+      execution.poll();
+      const medial::MedialAxis axis = medial::medialAxis(polarBalls, options, execution);
       medial::write(axis, balls, output);
       medial::reportWarnings(this, medial::axisWarnings(axis), { output });
     });

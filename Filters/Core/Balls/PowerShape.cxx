@@ -28,6 +28,7 @@ PowerShape powerShape(const PolarBalls& polarBalls, const Execution& execution)
       shape.triangles.push_back({ balls, { c, n } });
     }
   });
+  execution.poll();
   shape.betti = markedBetti(mesh, inner);
   execution.report(1);
   return shape;
