@@ -2,7 +2,7 @@
 #include "Base/Predicates.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
+#include <CGAL/Mpzf.h>
 
 #include <cmath>
 #include <limits>
@@ -13,7 +13,9 @@ namespace medial
 namespace
 {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Exact = CGAL::Exact_rational;
+/// Sums and products of doubles without rounding. Rationals would do as well, but divide by common factors in
+/// each step, which takes most of their time.
+using Exact = CGAL::Mpzf;
 
 Kernel::Point_3 kernelPoint(const Point& p)
 {
@@ -39,7 +41,7 @@ struct PowerSystem
         this->a[i][k] = Number(balls[i + 1].center[k]) - Number(balls[0].center[k]);
         this->b[i] += this->a[i][k] * this->a[i][k];
       }
-      this->b[i] /= Number(2);
+      this->b[i] = this->b[i] * Number(0.5);
     }
   }
 
@@ -75,8 +77,9 @@ Point exactPowerCenter(const std::array<Ball, 4>& balls)
   }
   for (int k = 0; k < 3; ++k)
   {
+    const Exact numerator = system.determinant(k, false)[0] + Exact(balls[0].center[k]) * det;
     result[k] =
-      CGAL::to_double(Exact(system.determinant(k, false)[0] / det + Exact(balls[0].center[k])));
+      numerator.to_double() / det.to_double(); // rounded three times, each by 2^-52 at most
   }
   return result;
 }
