@@ -2,12 +2,12 @@
 #include "Axis/VertexMerging.h"
 
 #include "Axis/PolygonIncidence.h"
+#include "Base/Crowds.h"
 #include "Base/DisjointSets.h"
 #include "Base/Frame.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -18,8 +18,7 @@
 //
 // Usual merges look at the polygons at two vertices only. The search for a path takes time linear in
 // the polygons, but is needed only where two vertices that coincide are far apart along the axis.
-// Candidates for a merge are found by a sweep along x in O(n log n) for n vertices, as few of them
-// have the same x.
+// Candidates for a merge are found by a grid in O(n log n) for n vertices.
 
 namespace medial
 {
@@ -133,18 +132,18 @@ std::vector<std::vector<Index>> sameVertices(
       sets.unite(vertexOfBall.insert({ ball[v], v }).first->second, v);
     }
   }
-  std::vector<Index> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return points[a].x() != points[b].x() ? points[a].x() < points[b].x() : a < b;
-  });
-  for (auto i = order.begin(); i != order.end(); ++i)
+  const IndexLists near = crowds(points, std::vector<char>(points.size(), 1), coincident);
+  for (Index crowd = 0; crowd < near.size(); ++crowd)
   {
-    for (auto j = i + 1; j != order.end() && points[*j].x() - points[*i].x() < coincident; ++j)
+    for (Index i = 0; i < near[crowd].size(); ++i)
     {
-      if ((points[*i] - points[*j]).norm() < coincident)
+      for (Index j = 0; j < i; ++j)
       {
-        sets.unite(*i, *j);
+        const Index a = near[crowd][j], b = near[crowd][i];
+        if ((points[a] - points[b]).norm() < coincident)
+        {
+          sets.unite(a, b);
+        }
       }
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Crust/Slivers.h"
 
-#include "Crust/Crowds.h"
+#include "Base/Crowds.h"
 #include "Crust/CrustEdits.h"
 #include "Crust/FlatTriangles.h"
 #include "Crust/SliverLimits.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Crust/Crowds.h"
+#include "Base/Crowds.h"
 
 #include <algorithm>
 #include <cmath>

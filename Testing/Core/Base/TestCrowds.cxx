@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Crust/Crowds.h"
+#include "Base/Crowds.h"
 
 #include "Shapes.h"
 
@@ -58,6 +58,19 @@ TEST(Crowds, HoldAllPairsThatAreNear)
       }
     }
     EXPECT_GT(near, 200);
+  }
+}
+
+TEST(Crowds, OfPointsInAPlaneAreFewWhateverItsDirection)
+{
+  for (const Point& scale : { Point(0, 1, 1), Point(1, 0, 1), Point(1, 1, 0), Point(0, 0, 1) })
+  {
+    std::vector<Point> points = shapes::cloud(40000, 1);
+    std::transform(points.begin(), points.end(), points.begin(),
+      [&](const Point& p) -> Point { return p.cwiseProduct(scale); });
+    const std::vector<char> used(points.size(), 1);
+    // On a line that is 1 long, every second point has another one within 1/80,000.
+    EXPECT_LT(pairsOf(medial::crowds(points, used, 1e-9)).size(), 40U) << scale.transpose();
   }
 }
 
