@@ -35,6 +35,22 @@ TEST(EdgeTable, HoldsTheFirstNumberOfEachEdge)
   }
 }
 
+TEST(EdgeTable, HoldsAllEdgesOfACornerWithVeryMany)
+{
+  constexpr Index many = 300000; // minutes, if each was compared with all before it
+  EdgeTable table(many);
+  for (Index i = 0; i < many; ++i)
+  {
+    EXPECT_TRUE(table.insert(7, i, i));
+    EXPECT_FALSE(table.insert(7, i, 0));
+  }
+  for (Index i = 0; i < many; ++i)
+  {
+    EXPECT_EQ(table.find(7, i), i);
+    EXPECT_EQ(table.find(8, i), None);
+  }
+}
+
 TEST(EdgeTable, TellsTheDirectionsOfAnEdgeApart)
 {
   EdgeTable table;
