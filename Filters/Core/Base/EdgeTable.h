@@ -28,18 +28,26 @@ public:
   /// @return  was the edge new?
   bool insert(Index from, Index to, Index number)
   {
+    const std::size_t before = this->used;
+    this->numberOf(from, to, number);
+    return this->used > before;
+  }
+
+  /// The number of an edge, to be changed; of a new one `number`, which isn't None. It can be changed until
+  /// the next edge comes.
+  Index& numberOf(Index from, Index to, Index number)
+  {
     if (2 * (this->used + 1) > this->entries.size())
     {
       this->resize(2 * this->used + 1);
     }
     Entry& entry = this->entries[this->placeOf(from, to)];
-    if (entry.number != None)
+    if (entry.number == None)
     {
-      return false;
+      entry = { from, to, number };
+      ++this->used;
     }
-    entry = { from, to, number };
-    ++this->used;
-    return true;
+    return entry.number;
   }
 
   /// The number of an edge; None if the edge is not in the table.

@@ -13,50 +13,37 @@ namespace medial
 {
 namespace
 {
-/// Fills closed and manifold. Corner 3 * triangle + k is where a triangle has a point. Corners at one
-/// point are joined across the edges there; a manifold has one group of corners at each point.
+/// Fills closed and manifold. Corner 3 * triangle + k is where a triangle has a point; edge 3 * triangle + k
+/// begins there. Corners at one point are joined across the edges there; a manifold has one group of corners at
+/// each point.
 void checkSurface(const std::vector<Triangle>& triangles, std::size_t pointCount,
   SolidMeasures& result, const Execution& execution)
 {
-  EdgeTable triangleAt(3 * triangles.size());
-  result.closed = true;
-  for (Index t = 0; t < count(triangles); ++t)
+  const Index cornerCount = 3 * count(triangles), joined = cornerCount;
+  const auto next = [](Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
+  const auto pointAt = [&](Index corner) { return triangles[corner / 3][corner % 3]; };
+  EdgeTable edges(cornerCount / 2); // the edge that is met first; `joined` after the second one
+  DisjointSets fans(cornerCount);
+  Index pairs = 0;
+  for (Index corner = 0; corner < cornerCount; ++corner)
   {
-    execution.pollAt(t);
-    for (int k = 0; k < 3; ++k)
+    execution.pollAt(corner);
+    const Index a = pointAt(corner), b = pointAt(next(corner));
+    Index& first = edges.numberOf(std::min(a, b), std::max(a, b), corner);
+    if (first != corner && first != joined && pointAt(first) == b)
     {
-      const Index a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-      result.closed = triangleAt.insert(a, b, t) && result.closed;
+      fans.unite(corner, next(first));
+      fans.unite(next(corner), first);
+      first = joined;
+      ++pairs;
     }
   }
-  DisjointSets fans(3 * count(triangles));
-  for (Index t = 0; t < count(triangles); ++t)
-  {
-    execution.pollAt(t);
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index a = triangles[t][k], b = triangles[t][(k + 1) % 3];
-      const Index opposite = triangleAt.find(b, a);
-      if (opposite == None)
-      {
-        result.closed = false;
-        continue;
-      }
-      const Triangle& other = triangles[opposite];
-      for (int j = 0; j < 3; ++j)
-      {
-        if (other[j] == a)
-        {
-          fans.unite(3 * t + k, 3 * opposite + j);
-        }
-      }
-    }
-  }
+  result.closed = 2 * pairs == cornerCount;
   std::vector<Index> fanAt(pointCount, None);
   result.manifold = result.closed;
-  for (Index corner = 0; corner < 3 * count(triangles); ++corner)
+  for (Index corner = 0; corner < cornerCount; ++corner)
   {
-    Index& fan = fanAt[triangles[corner / 3][corner % 3]];
+    Index& fan = fanAt[pointAt(corner)];
     fan = fan == None ? fans.find(corner) : fan;
     result.manifold = result.manifold && fan == fans.find(corner);
   }

@@ -8,6 +8,7 @@
 #include "Base/Polygons.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace medial
 {
@@ -35,30 +36,48 @@ std::vector<Index> cycleAround(const Tetrahedra& mesh, Index inner, Index outer,
   return cellsAround(mesh, { inner, outer }, start, place(corners, leave));
 }
 
-/// One face for each dual edge between an inner and an outer ball.
+/// The bit of a cell's edge between two of its corners.
+unsigned edgeBit(const Tetrahedron& corners, Index a, Index b)
+{
+  unsigned ends = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    ends |= static_cast<unsigned>(corners[i] == a || corners[i] == b) << i;
+  }
+  return 1U << ends; // of six edges and ten other sets of corners
+}
+
+/// One face for each dual edge between an inner and an outer ball. An edge is met in each of the cells
+/// around it, and known there by a bit.
 CellFaces cellFaces(const PowerDiagram& diagram, const Execution& execution)
 {
   CellFaces result;
   const Tetrahedra& mesh = diagram.dual;
-  const EdgeNumbers edges = edgeNumbers(mesh.cells, count(diagram.balls));
-  std::vector<char> done(edges.edges.size(), 0);
+  std::vector<std::uint16_t> done(mesh.cells.size(), 0);
   for (Index c = 0; c < count(mesh.cells); ++c)
   {
     execution.pollAt(c);
-    for (const Index e : edges.ofCell[c])
+    for (const auto& ends : cellEdges)
     {
-      auto [a, b] = edges.edges[e];
-      if (done[e] || diagram.inner[a] == diagram.inner[b])
+      Index a = mesh.cells[c][ends[0]], b = mesh.cells[c][ends[1]];
+      if (diagram.inner[a] == diagram.inner[b] || (done[c] & edgeBit(mesh.cells[c], a, b)) != 0)
       {
         continue;
       }
-      done[e] = 1;
       if (!diagram.inner[a])
       {
         std::swap(a, b);
       }
-      result.cycles.append(cycleAround(mesh, a, b, c));
-      result.balls.push_back({ a, b });
+      const std::vector<Index> cycle = cycleAround(mesh, a, b, c);
+      for (const Index cell : cycle)
+      {
+        done[cell] |= edgeBit(mesh.cells[cell], a, b);
+      }
+      if (!cycle.empty())
+      {
+        result.cycles.append(cycle);
+        result.balls.push_back({ a, b });
+      }
     }
   }
   return result;
@@ -101,26 +120,45 @@ public:
     return this->split[set] ? cell : set;
   }
 
-  /// The vertices of a face, neighbours that become one named once. Fewer than 3 where the face
-  /// shrinks to an edge or a point.
-  void corners(Index face, std::vector<Index>& result)
+  /// The vertices of each face, neighbours that become one named once. None where the face shrinks to an edge
+  /// or a point.
+  const IndexLists& loops() const { return this->contracted; }
+
+private:
+  void appendLoop(Index face, std::vector<Index>& loop)
   {
-    result.clear();
+    loop.clear();
     for (const Index cell : this->faces.cycles[face])
     {
       const Index vertex = this->vertexOf(cell);
-      if (result.empty() || result.back() != vertex)
+      if (loop.empty() || loop.back() != vertex)
       {
-        result.push_back(vertex);
+        loop.push_back(vertex);
       }
     }
-    while (result.size() > 1 && result.back() == result.front())
+    while (loop.size() > 1 && loop.back() == loop.front())
     {
-      result.pop_back();
+      loop.pop_back();
+    }
+    if (loop.size() < 3)
+    {
+      loop.clear();
+    }
+    this->contracted.append(loop);
+  }
+
+  void contract()
+  {
+    this->contracted.items.clear();
+    this->contracted.offsets.assign(1, 0);
+    std::vector<Index> loop;
+    for (Index face = 0; face < this->faces.cycles.size(); ++face)
+    {
+      this->execution.pollAt(face);
+      this->appendLoop(face, loop);
     }
   }
 
-private:
   /// Are two power vertices the same? Samples are compared by their numbers; only where one of the
   /// two is no sample its place decides.
   bool fallTogether(Index a, Index b) const
@@ -191,13 +229,14 @@ private:
       any = any || !this->split[set];
       this->split[set] = 1;
     };
-    EdgeTable sides(this->faces.cycles.items.size());
+    this->contract();
+    EdgeTable sides(this->contracted.items.size());
     std::vector<Index> loop;
-    for (Index face = 0; face < this->faces.cycles.size(); ++face)
+    for (Index face = 0; face < this->contracted.size(); ++face)
     {
       this->execution.pollAt(face);
-      this->corners(face, loop);
-      for (std::size_t k = 0; k < loop.size() && loop.size() > 2; ++k)
+      loop.assign(this->contracted[face].begin(), this->contracted[face].end());
+      for (std::size_t k = 0; k < loop.size(); ++k)
       {
         if (!sides.insert(loop[k], loop[(k + 1) % loop.size()], face))
         {
@@ -222,6 +261,7 @@ private:
   const Execution& execution;
   DisjointSets sets;
   std::vector<char> split; ///< by set
+  IndexLists contracted;
 };
 
 /// The contracted faces by their points.
@@ -257,11 +297,11 @@ Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, CrustSurf
   Polygons result;
   std::vector<Index> number(diagram.dual.cells.size(), None);
   std::vector<Index> corners;
-  for (Index face = 0; face < faces.cycles.size(); ++face)
+  for (Index face = 0; face < contraction.loops().size(); ++face)
   {
     execution.pollAt(face);
-    contraction.corners(face, corners);
-    if (corners.size() < 3)
+    corners.assign(contraction.loops()[face].begin(), contraction.loops()[face].end());
+    if (corners.empty())
     {
       continue;
     }
@@ -287,7 +327,8 @@ CrustSurface crustSurface(const PowerDiagram& diagram, const Execution& executio
   CrustSurface surface;
   const Polygons faces = polygons(diagram, cellFaces(diagram, execution), surface, execution);
   // All sides first: no diagonal may be the side of another polygon.
-  EdgeSet edges(faces.corners.items.size());
+  EdgeSet edges(
+    faces.corners.items.size() / 2 + faces.corners.items.size() - 3 * faces.balls.size());
   for (Index face = 0; face < faces.corners.size(); ++face)
   {
     const auto corners = faces.corners[face];
