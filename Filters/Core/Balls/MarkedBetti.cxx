@@ -2,6 +2,7 @@
 #include "Balls/MarkedBetti.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/Lists.h"
 
 #include <algorithm>
 
@@ -37,6 +38,38 @@ Index openRestPieces(const Tetrahedra& mesh, const std::vector<char>& marked)
     pieces += outside[c] && sets.find(c) == c && sets.find(around) != c;
   }
   return pieces;
+}
+
+/// The edges with marked corners.
+std::vector<Edge> markedEdges(const Tetrahedra& mesh, const std::vector<char>& marked)
+{
+  const IndexLists upper = listsByKey(count(marked), [&](const auto& add) {
+    for (const Tetrahedron& cell : mesh.cells)
+    {
+      for (const auto& ends : cellEdges)
+      {
+        const Index a = cell[ends[0]], b = cell[ends[1]];
+        if (marked[a] && marked[b])
+        {
+          add(std::min(a, b), std::max(a, b));
+        }
+      }
+    }
+  });
+  std::vector<Index> lower(marked.size(), None); // that each upper corner was met with last
+  std::vector<Edge> result;
+  for (Index a = 0; a < upper.size(); ++a)
+  {
+    for (const Index b : upper[a])
+    {
+      if (lower[b] != a)
+      {
+        lower[b] = a;
+        result.push_back({ a, b });
+      }
+    }
+  }
+  return result;
 }
 }
 
@@ -82,6 +115,6 @@ Betti markedBetti(
 
 Betti markedBetti(const Tetrahedra& mesh, const std::vector<char>& marked)
 {
-  return markedBetti(mesh, edgeNumbers(mesh.cells, count(marked)).edges, marked);
+  return markedBetti(mesh, markedEdges(mesh, marked), marked);
 }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Balls/SideCut.h"
 
+#include "Base/Lists.h"
+
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -91,16 +93,14 @@ private:
   }
 
   /// Both directions of all pipes, by where they begin: pipe i is 2i and 2i + 1.
-  std::vector<int> directions() const
+  std::vector<Index> directions() const
   {
-    std::vector<int> result(2 * this->pipes.size());
-    for (std::size_t i = 0; i < result.size(); ++i)
-    {
-      result[i] = static_cast<int>(i);
-    }
-    std::stable_sort(result.begin(), result.end(),
-      [&](int i, int j) { return this->ends(i).first < this->ends(j).first; });
-    return result;
+    return listsByKey(this->sink() + 1, [this](const auto& add) {
+      for (Index i = 0; i < 2 * count(this->pipes); ++i)
+      {
+        add(this->ends(i).first, i);
+      }
+    }).items;
   }
 
   std::pair<int, int> ends(int direction) const
@@ -112,7 +112,7 @@ private:
   /// The nodes on the source's side of the minimum cut nearest to it.
   std::vector<char> trueNodes() const
   {
-    const std::vector<int> order = this->directions();
+    const std::vector<Index> order = this->directions();
     const std::size_t size = order.size();
     const int nodes = 2 * this->balls + 2;
     std::vector<std::pair<int, int>> edges(size);

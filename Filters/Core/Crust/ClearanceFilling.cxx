@@ -6,28 +6,48 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace medial
 {
-UntouchedCells::UntouchedCells(std::vector<Tetrahedron> before, const std::vector<Index>& ballIds)
-  : cells(std::move(before))
-  , ids(ballIds)
+std::vector<char> UntouchedCells::contain(const std::vector<Tetrahedron>& asked) const
 {
-  sortCells(this->cells);
-}
-
-bool UntouchedCells::contains(Tetrahedron cell) const
-{
-  for (Index& ball : cell)
+  using Asked = std::pair<Tetrahedron, Index>; // corners ascending; where it is in `asked`
+  std::vector<Asked> order;
+  std::vector<char> isAsked; // about a cell with this corner
+  for (Index i = 0; i < count(asked); ++i)
   {
-    if (ball >= count(this->ids))
+    Tetrahedron cell = asked[i];
+    const auto isNew = [this](Index ball) { return ball >= count(this->ids); };
+    if (std::any_of(cell.begin(), cell.end(), isNew))
     {
-      return false; // the ball was added by the filling
+      continue; // the ball was added by the filling
     }
-    ball = this->ids[ball];
+    for (Index& ball : cell)
+    {
+      ball = this->ids[ball];
+      isAsked.resize(std::max<std::size_t>(isAsked.size(), ball + 1), 0);
+      isAsked[ball] = 1;
+    }
+    std::sort(cell.begin(), cell.end());
+    order.push_back({ cell, i });
   }
-  std::sort(cell.begin(), cell.end());
-  return std::binary_search(this->cells.begin(), this->cells.end(), cell);
+  std::sort(order.begin(), order.end());
+  std::vector<char> result(asked.size(), 0);
+  for (Tetrahedron cell : this->cells)
+  {
+    if (std::all_of(cell.begin(), cell.end(),
+          [&](Index ball) { return ball < count(isAsked) && isAsked[ball]; }))
+    {
+      std::sort(cell.begin(), cell.end());
+      const auto found = std::lower_bound(order.begin(), order.end(), Asked(cell, 0));
+      if (found != order.end() && found->first == cell)
+      {
+        result[found->second] = 1;
+      }
+    }
+  }
+  return result;
 }
 
 namespace
@@ -132,14 +152,22 @@ private:
   {
     const double limit = this->goal.clearance;
     std::vector<double> distances = clearances(this->diagram, innerBalls, limit, this->execution);
+    std::vector<Index> far;
+    std::vector<Tetrahedron> cells;
     for (Index c = 0; c < count(distances); ++c)
     {
-      // What was as far away before pruning is the surface of the whole solid: a sharp corner of a
-      // box is far from every ball, and is to stay.
-      if (distances[c] > limit && untouched.contains(this->diagram.dual.cells[c]))
+      if (distances[c] > limit)
       {
-        distances[c] = 0;
+        far.push_back(c);
+        cells.push_back(this->diagram.dual.cells[c]);
       }
+    }
+    // What was as far away before pruning is the surface of the whole solid: a sharp corner of a
+    // box is far from every ball, and is to stay.
+    const std::vector<char> stays = untouched.contain(cells);
+    for (Index i = 0; i < count(far); ++i)
+    {
+      distances[far[i]] = stays[i] ? 0 : distances[far[i]];
     }
     return fillingBalls(this->diagram, distances, limit);
   }

@@ -17,15 +17,21 @@ namespace medial
 class UntouchedCells
 {
 public:
-  /// @param before   the cells before pruning
+  /// @param before   the cells before pruning; is referred to
   /// @param ballIds  the balls of the diagram, by their numbers in `before`; is referred to
-  UntouchedCells(std::vector<Tetrahedron> before, const std::vector<Index>& ballIds);
+  UntouchedCells(const std::vector<Tetrahedron>& before, const std::vector<Index>& ballIds)
+    : cells(before)
+    , ids(ballIds)
+  {
+  }
 
-  /// @param cell  with the numbers of the diagram
-  bool contains(Tetrahedron cell) const;
+  /// For each of some different cells: is it one of these? In linear time in the cells before pruning, if few
+  /// are asked for.
+  /// @param asked  with the numbers of the diagram
+  std::vector<char> contain(const std::vector<Tetrahedron>& asked) const;
 
 private:
-  std::vector<Tetrahedron> cells; ///< corners ascending; ascending
+  const std::vector<Tetrahedron>& cells;
   const std::vector<Index>& ids;
 };
 
