@@ -113,6 +113,16 @@ public:
     }
   }
 
+  /// The vertices of each face, neighbours that become one named once. None where the face shrinks to an edge
+  /// or a point. Vertices are numbered in the order in which they are met.
+  const IndexLists& loops() const { return this->contracted; }
+
+  /// The number of the vertex of a tetrahedron, None where it is in no loop.
+  Index numberOf(Index cell) { return this->number[this->vertexOf(cell)]; }
+
+  Index vertexCount() const { return count(this->vertices); }
+
+private:
   /// The vertex of a tetrahedron: the lowest one of its set, or itself where the set was split.
   Index vertexOf(Index cell)
   {
@@ -120,11 +130,6 @@ public:
     return this->split[set] ? cell : set;
   }
 
-  /// The vertices of each face, neighbours that become one named once. None where the face shrinks to an edge
-  /// or a point.
-  const IndexLists& loops() const { return this->contracted; }
-
-private:
   void appendLoop(Index face, std::vector<Index>& loop)
   {
     loop.clear();
@@ -144,11 +149,22 @@ private:
     {
       loop.clear();
     }
+    for (Index& vertex : loop)
+    {
+      if (this->number[vertex] == None)
+      {
+        this->number[vertex] = count(this->vertices);
+        this->vertices.push_back(vertex);
+      }
+      vertex = this->number[vertex];
+    }
     this->contracted.append(loop);
   }
 
   void contract()
   {
+    this->number.assign(this->split.size(), None);
+    this->vertices.clear();
     this->contracted.items.clear();
     this->contracted.offsets.assign(1, 0);
     std::vector<Index> loop;
@@ -224,8 +240,8 @@ private:
   bool splitWherePinched()
   {
     bool any = false;
-    const auto splitSet = [&](Index vertex) {
-      const Index set = this->sets.find(vertex);
+    const auto splitSet = [&](Index vertexNumber) {
+      const Index set = this->sets.find(this->vertices[vertexNumber]);
       any = any || !this->split[set];
       this->split[set] = 1;
     };
@@ -262,6 +278,8 @@ private:
   DisjointSets sets;
   std::vector<char> split; ///< by set
   IndexLists contracted;
+  std::vector<Index> vertices; ///< of the loops
+  std::vector<Index> number;   ///< of each vertex among them, or None
 };
 
 /// The contracted faces by their points.
@@ -276,10 +294,15 @@ struct Polygons
 std::vector<Index> placeOfVertex(
   const PowerDiagram& diagram, const CellFaces& faces, Contraction& contraction)
 {
-  std::vector<Index> best(diagram.dual.cells.size(), None);
+  std::vector<Index> best(contraction.vertexCount(), None);
   for (const Index cell : faces.cycles.items)
   {
-    Index& chosen = best[contraction.vertexOf(cell)];
+    const Index vertex = contraction.numberOf(cell);
+    if (vertex == None)
+    {
+      continue;
+    }
+    Index& chosen = best[vertex];
     const bool better = chosen == None ||
       (diagram.sampleOfVertex[chosen] == None && diagram.sampleOfVertex[cell] != None);
     chosen = better ? cell : chosen;
@@ -287,36 +310,26 @@ std::vector<Index> placeOfVertex(
   return best;
 }
 
-/// Contracts the faces, numbers their vertices in the order in which they are met, and puts them into
-/// the surface.
+/// Contracts the faces, and puts their vertices into the surface.
 Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, CrustSurface& surface,
   const Execution& execution)
 {
   Contraction contraction(diagram, faces, execution);
-  const std::vector<Index> place = placeOfVertex(diagram, faces, contraction);
+  for (const Index cell : placeOfVertex(diagram, faces, contraction))
+  {
+    surface.points.push_back(diagram.vertices[cell]);
+    surface.sampleOfPoint.push_back(diagram.sampleOfVertex[cell]);
+  }
   Polygons result;
-  std::vector<Index> number(diagram.dual.cells.size(), None);
-  std::vector<Index> corners;
   for (Index face = 0; face < contraction.loops().size(); ++face)
   {
     execution.pollAt(face);
-    corners.assign(contraction.loops()[face].begin(), contraction.loops()[face].end());
-    if (corners.empty())
+    const IndexLists::View corners = contraction.loops()[face];
+    if (corners.size() > 0)
     {
-      continue;
+      result.corners.append(corners);
+      result.balls.push_back(faces.balls[face]);
     }
-    for (Index& vertex : corners)
-    {
-      if (number[vertex] == None)
-      {
-        number[vertex] = count(surface.points);
-        surface.points.push_back(diagram.vertices[place[vertex]]);
-        surface.sampleOfPoint.push_back(diagram.sampleOfVertex[place[vertex]]);
-      }
-      vertex = number[vertex];
-    }
-    result.corners.append(corners);
-    result.balls.push_back(faces.balls[face]);
   }
   return result;
 }
