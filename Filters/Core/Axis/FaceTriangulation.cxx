@@ -8,7 +8,6 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <set>
 
 namespace medial
 {
@@ -78,11 +77,36 @@ private:
   std::optional<FreePlaces> places;
 };
 
+/// Triangles by their three corners, in any order.
+class TriangleSet
+{
+public:
+  explicit TriangleSet(std::size_t expected)
+    : lowEdges(expected)
+    , triangles(expected)
+  {
+  }
+
+  /// @return  was it new?
+  bool insert(Triangle corners)
+  {
+    std::sort(corners.begin(), corners.end());
+    const Index edge = this->lowEdges.numberOf(corners[0], corners[1], this->edgeCount);
+    this->edgeCount += edge == this->edgeCount;
+    return this->triangles.insert(edge, corners[2], 0);
+  }
+
+private:
+  EdgeTable lowEdges;  ///< of the two lower corners
+  EdgeTable triangles; ///< from the number of such an edge to the highest corner
+  Index edgeCount = 0;
+};
+
 /// Triangulates polygons into cells of the axis.
 void addTriangles(const std::vector<FacePolygon>& polygons, const SiteTriangulation& sites,
   const SingularPoints& singularPoints, const Frame& frame, EdgeSet& edges, AxisComplex& axis)
 {
-  std::set<Triangle> known;
+  TriangleSet known(2 * polygons.size());
   AddedCentroids centroids(frame);
   Index number = 0;
   for (const FacePolygon& polygon : polygons)
@@ -106,9 +130,7 @@ void addTriangles(const std::vector<FacePolygon>& polygons, const SiteTriangulat
     // Two polygons may have the same three corners; such a triangle counts for the first of them.
     for (const Triangle& triangle : triangulate(polygon.corners, axis.points, edges))
     {
-      Triangle sorted = triangle;
-      std::sort(sorted.begin(), sorted.end());
-      if (known.insert(sorted).second)
+      if (known.insert(triangle))
       {
         axis.cells.triangles.push_back(triangle);
         axis.polygonOfCell.push_back(number);
@@ -176,7 +198,8 @@ void addCells(const std::vector<FacePolygon>& polygons, const SiteTriangulation&
   const Execution& execution)
 {
   std::map<Edge, std::vector<Point>> dangling;
-  EdgeSet sidesOfFaces, edges;
+  EdgeSet sidesOfFaces(3 * polygons.size()),
+    edges(5 * polygons.size()); // of polygons of six corners
   for (const FacePolygon& polygon : polygons)
   {
     const std::vector<Index>& corners = polygon.corners;
