@@ -2,6 +2,7 @@
 #include "Axis/FaceTriangulation.h"
 
 #include "Axis/FreePlaces.h"
+#include "Base/EdgeTable.h"
 #include "Base/Polygons.h"
 
 #include <algorithm>
@@ -77,36 +78,11 @@ private:
   std::optional<FreePlaces> places;
 };
 
-/// Triangles by their three corners, in any order.
-class TriangleSet
-{
-public:
-  explicit TriangleSet(std::size_t expected)
-    : lowEdges(expected)
-    , triangles(expected)
-  {
-  }
-
-  /// @return  was it new?
-  bool insert(Triangle corners)
-  {
-    std::sort(corners.begin(), corners.end());
-    const Index edge = this->lowEdges.numberOf(corners[0], corners[1], this->edgeCount);
-    this->edgeCount += edge == this->edgeCount;
-    return this->triangles.insert(edge, corners[2], 0);
-  }
-
-private:
-  EdgeTable lowEdges;  ///< of the two lower corners
-  EdgeTable triangles; ///< from the number of such an edge to the highest corner
-  Index edgeCount = 0;
-};
-
 /// Triangulates polygons into cells of the axis.
 void addTriangles(const std::vector<FacePolygon>& polygons, const SiteTriangulation& sites,
   const SingularPoints& singularPoints, const Frame& frame, EdgeSet& edges, AxisComplex& axis)
 {
-  TriangleSet known(2 * polygons.size());
+  TriangleTable known(2 * polygons.size());
   AddedCentroids centroids(frame);
   Index number = 0;
   for (const FacePolygon& polygon : polygons)
@@ -130,7 +106,7 @@ void addTriangles(const std::vector<FacePolygon>& polygons, const SiteTriangulat
     // Two polygons may have the same three corners; such a triangle counts for the first of them.
     for (const Triangle& triangle : triangulate(polygon.corners, axis.points, edges))
     {
-      if (known.insert(triangle))
+      if (known.insert(triangle, number))
       {
         axis.cells.triangles.push_back(triangle);
         axis.polygonOfCell.push_back(number);

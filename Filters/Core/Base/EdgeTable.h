@@ -133,6 +133,47 @@ public:
 private:
   EdgeTable edges;
 };
+
+/// A number for each of many triangles, by their three corners in any order.
+class TriangleTable
+{
+public:
+  /// @param expected  how many triangles will come; more may
+  explicit TriangleTable(std::size_t expected = 0)
+    : lowEdges(expected)
+    , triangles(expected)
+  {
+  }
+
+  /// Gives a triangle a number, unless it has one.
+  /// @return  was the triangle new?
+  bool insert(const Triangle& corners, Index number)
+  {
+    const auto [edge, highest] = this->parts(corners);
+    return this->triangles.insert(edge, highest, number);
+  }
+
+  /// The number of a triangle, to be changed, as EdgeTable::numberOf.
+  Index& numberOf(const Triangle& corners, Index number)
+  {
+    const auto [edge, highest] = this->parts(corners);
+    return this->triangles.numberOf(edge, highest, number);
+  }
+
+private:
+  /// A number for the edge of the two lower corners, and the highest corner.
+  Edge parts(Triangle corners)
+  {
+    std::sort(corners.begin(), corners.end());
+    const Index edge = this->lowEdges.numberOf(corners[0], corners[1], this->edgeCount);
+    this->edgeCount += edge == this->edgeCount;
+    return { edge, corners[2] };
+  }
+
+  EdgeTable lowEdges;
+  EdgeTable triangles; ///< by their parts
+  Index edgeCount = 0;
+};
 }
 
 #endif

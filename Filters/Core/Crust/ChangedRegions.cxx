@@ -2,6 +2,7 @@
 #include "Crust/ChangedRegions.h"
 
 #include "Base/DisjointSets.h"
+#include "Base/EdgeTable.h"
 #include "Base/Lists.h"
 #include "Base/Tetrahedra.h"
 
@@ -16,24 +17,13 @@ namespace
 /// Cells with a triangle in common are in one set.
 DisjointSets joinedAcrossTriangles(const std::vector<Tetrahedron>& cells)
 {
-  std::vector<std::pair<Triangle, Index>> cellAt;
-  cellAt.reserve(4 * cells.size());
+  TriangleTable firstCell(2 * cells.size());
+  DisjointSets sets(count(cells));
   for (Index c = 0; c < count(cells); ++c)
   {
     for (int i = 0; i < 4; ++i)
     {
-      Triangle triangle = facet(cells[c], i);
-      std::sort(triangle.begin(), triangle.end());
-      cellAt.emplace_back(triangle, c);
-    }
-  }
-  std::sort(cellAt.begin(), cellAt.end());
-  DisjointSets sets(count(cells));
-  for (std::size_t i = 1; i < cellAt.size(); ++i)
-  {
-    if (cellAt[i].first == cellAt[i - 1].first)
-    {
-      sets.unite(cellAt[i].second, cellAt[i - 1].second);
+      sets.unite(c, firstCell.numberOf(facet(cells[c], i), c));
     }
   }
   return sets;

@@ -11,6 +11,7 @@ using medial::EdgeSet;
 using medial::EdgeTable;
 using medial::Index;
 using medial::None;
+using medial::TriangleTable;
 
 namespace
 {
@@ -73,5 +74,22 @@ TEST(EdgeSet, TakesBothDirectionsForOneEdge)
   EXPECT_TRUE(edges.contains(3, 4));
   EXPECT_TRUE(edges.contains(4, 3));
   EXPECT_FALSE(edges.contains(3, 3));
+}
+
+TEST(TriangleTable, HoldsTheFirstNumberOfTheCornersInAnyOrder)
+{
+  TriangleTable table;
+  for (Index i = 0; i < 200; ++i)
+  {
+    EXPECT_TRUE(table.insert({ i, i + 1, i + 2 }, i));
+    EXPECT_TRUE(table.insert({ i + 2, i, i + 9 }, 1000 + i));
+  }
+  for (Index i = 0; i < 200; ++i)
+  {
+    EXPECT_FALSE(table.insert({ i + 2, i + 1, i }, 7));
+    EXPECT_EQ(table.numberOf({ i + 1, i, i + 2 }, 7), i);
+    EXPECT_EQ(table.numberOf({ i + 9, i + 2, i }, 7), 1000 + i);
+    EXPECT_EQ(table.numberOf({ i, i + 1, i + 9 }, 7), 7);
+  }
 }
 }
