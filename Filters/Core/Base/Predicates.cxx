@@ -2,6 +2,7 @@
 #include "Base/Predicates.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Mpzf.h>
 
 #include <cmath>
@@ -16,6 +17,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// Sums and products of doubles without rounding. Rationals would do as well, but divide by common factors in
 /// each step, which takes most of their time.
 using Exact = CGAL::Mpzf;
+using Rational = CGAL::Exact_rational;
 
 Kernel::Point_3 kernelPoint(const Point& p)
 {
@@ -66,6 +68,30 @@ struct PowerSystem
   }
 };
 
+/// The double next to a / b towards zero. A division of doubles comes within few steps of it.
+double quotient(const Exact& a, const Exact& b)
+{
+  const auto isTooLarge = [&](double q) { return abs(Exact(q) * b) > abs(a); };
+  double q = a.to_double() / b.to_double();
+  for (int step = 0; step < 4 && q != 0 && std::abs(q) < 1e300; ++step)
+  {
+    const double next = std::nextafter(q, std::copysign(1e308, q));
+    if (isTooLarge(q))
+    {
+      q = std::nextafter(q, 0.0);
+    }
+    else if (isTooLarge(next))
+    {
+      return q;
+    }
+    else
+    {
+      q = next;
+    }
+  }
+  return CGAL::to_double(Rational(Rational(a) / Rational(b)));
+}
+
 Point exactPowerCenter(const std::array<Ball, 4>& balls)
 {
   const PowerSystem<Exact> system(balls);
@@ -78,8 +104,7 @@ Point exactPowerCenter(const std::array<Ball, 4>& balls)
   for (int k = 0; k < 3; ++k)
   {
     const Exact numerator = system.determinant(k, false)[0] + Exact(balls[0].center[k]) * det;
-    result[k] =
-      numerator.to_double() / det.to_double(); // rounded three times, each by 2^-52 at most
+    result[k] = quotient(numerator, det);
   }
   return result;
 }

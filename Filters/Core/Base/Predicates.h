@@ -14,7 +14,7 @@ int orientation(const Point& a, const Point& b, const Point& c, const Point& d);
 ///
 /// It solves three linear equations by Cramer's rule. First in doubles, with a bound of the rounding
 /// error; if the error may exceed `tolerance`, as for flat tetrahedra, in long doubles, with a bound
-/// again; and if that is not enough, exactly, rounded at the end to a few units of the last place. Nearly all
+/// again; and if that is not enough, exactly, rounded once at the end. Nearly all
 /// points are found by the first step; the last one is tens of times slower.
 /// @return  not finite if the centres are in one plane (exactly)
 Point powerCenter(const std::array<Ball, 4>& balls, double tolerance);
