@@ -7,6 +7,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -116,6 +118,40 @@ void closeBorders(Mesh& mesh, double diagonal, ClosedSurface& result)
         " triangles; close the surface yourself where that is wrong"),
       holes, firstFilled, false });
   }
+}
+
+/// @throw InvalidInput  if no connected piece of an oriented surface encloses a volume
+void checkVolume(Mesh& mesh)
+{
+  std::vector<Point> points;
+  for (const Mesh::Vertex_index v : mesh.vertices())
+  {
+    points.push_back(fromKernel(mesh.point(v)));
+  }
+  const double diagonal = boundingBox(points).diagonal().norm();
+  const auto [pieceOf, isNew] = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:piece", 0);
+  std::vector<double> volumes(pmp::connected_components(mesh, pieceOf)), areas(volumes.size());
+  for (const Mesh::Face_index f : mesh.faces())
+  {
+    std::array<Point, 3> corners;
+    int k = 0;
+    for (const Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+    {
+      corners[k++] = fromKernel(mesh.point(v)) - points.front();
+    }
+    const auto& [a, b, c] = corners;
+    volumes[pieceOf[f]] += a.dot(b.cross(c)) / 6;
+    areas[pieceOf[f]] += (b - a).cross(c - a).norm() / 2;
+  }
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+  {
+    constexpr double rounding = 1e-14; // of coordinates as large as the surface, and some more
+    if (std::abs(volumes[i]) > rounding * areas[i] * diagonal)
+    {
+      return;
+    }
+  }
+  throw InvalidInput("the surface is flat: it encloses no volume");
 }
 
 /// The piece of the surface that each triangle belongs to.
@@ -217,12 +253,13 @@ ClosedSurface closedSurface(
   result.repairs.droppedPolygons = soup.droppedPolygons;
   execution.report(0.4);
   closeBorders(mesh, boundingBox(points).diagonal().norm(), result);
-  pmp::remove_degenerate_faces(mesh);
   pmp::remove_isolated_vertices(mesh);
+  pmp::remove_degenerate_faces(mesh);
   if (mesh.number_of_faces() == 0)
   {
     throw InvalidInput("the polygons have no area");
   }
+  checkVolume(mesh);
   pmp::orient_to_bound_a_volume(mesh);
   execution.report(0.6);
   take(mesh, soup, result);
@@ -232,11 +269,9 @@ ClosedSurface closedSurface(
   {
     throw InvalidInput("the polygons can't be oriented as the surface of a solid");
   }
-  constexpr double rounding = 1e-14; // of coordinates as large as the surface, and some more
-  if (!(result.measures.volume >
-        rounding * result.area * boundingBox(result.points).diagonal().norm()))
+  if (!(result.measures.volume > 0))
   {
-    throw InvalidInput("the surface is flat: it encloses no volume");
+    throw InvalidInput("the surface encloses no volume");
   }
   execution.report(1);
   return result;
