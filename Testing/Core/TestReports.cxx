@@ -79,7 +79,8 @@ TEST(Stages, ReportMoreOftenTheMoreThereIsToDo)
   for (std::size_t stage = 0; stage < few.size(); ++stage)
   {
     EXPECT_GE(few[stage], 4u) << stage;
-    EXPECT_GE(many[stage], few[stage]) << stage;
+    EXPECT_GE(many[stage], 4u)
+      << stage; // parts and pruning are quick, and passes vary with the shape
   }
   for (const std::size_t slow : { 0, 1, 3, 5 }) // balls, axis, crusts: where the time goes
   {
