@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/BoundarySamples.h"
 
+#include "Base/Frame.h"
 #include "Samples/SharpEdges.h"
 
 #include <algorithm>
@@ -41,6 +42,25 @@ double usualSpacing(const ClosedSurface& surface)
   return std::sqrt(samplesPerSquare * surface.area / samples);
 }
 
+/// The spacing that makes as many samples as are allowed, if it is the same everywhere.
+double closest(const ClosedSurface& surface, const SamplingOptions& options)
+{
+  return std::sqrt(samplesPerSquare * surface.area / options.maximumSamples);
+}
+
+/// @throw InvalidInput  the surface is so narrow that only its length asks for more samples than anybody can
+///                      pay, as where a corner lies at a wrong place far away
+void checkLength(const ClosedSurface& surface)
+{
+  constexpr double longest = 2e4; // spacings: a square rod takes about a million samples then
+  const double diagonal = boundingBox(surface.points).diagonal().norm();
+  if (diagonal > longest * usualSpacing(surface))
+  {
+    throw InvalidInput("the surface is ", diagonal, " long, but has an area of only ", surface.area,
+      ": too narrow to be sampled; is a point at a wrong place far away?");
+  }
+}
+
 /// Where the thickness was measured, and the spacing that it asks for.
 struct Probes
 {
@@ -57,7 +77,8 @@ struct BoundarySampler::Implementation
     , tree(theTree)
     , options(theOptions)
     , lines(sharpLines(triangles, theOptions.sharpAngle))
-    , largest(theOptions.spacing > 0 ? theOptions.spacing : usualSpacing(surface))
+    , largest(theOptions.spacing > 0 ? std::max(theOptions.spacing, closest(surface, theOptions))
+                                     : usualSpacing(surface))
     , edges(wedgeEdges(this->triangles, this->lines, this->largest))
     , field(this->largest)
   {
@@ -133,6 +154,11 @@ struct BoundarySampler::Implementation
   void limit(const Execution& execution)
   {
     double least = 0;
+    if (this->options.spacing > 0 && this->options.spacing < this->largest)
+    {
+      least = this->largest;
+      this->field = this->field.atLeast(least);
+    }
     this->expected = expectedSamples(this->triangles, this->field, execution);
     while (this->expected > this->options.maximumSamples)
     {
@@ -167,6 +193,7 @@ BoundarySampler::BoundarySampler(const ClosedSurface& surface, const SurfaceTree
   const SamplingOptions& options, const Execution& execution)
 {
   check(options);
+  checkLength(surface);
   this->implementation = std::make_unique<Implementation>(surface, tree, options, execution);
 }
 

@@ -111,6 +111,43 @@ TEST(BoundarySamples, AreNotMoreThanAllowed)
   EXPECT_NEAR((thinPlate().tree.nearest(place).point - place).norm(), 0, 1e-9);
 }
 
+/// This many samples would not fit into any memory.
+TEST(BoundarySamples, AreNotMoreThanAllowedAtATinySpacing)
+{
+  SamplingOptions options;
+  options.maximumSamples = 2000;
+  for (const bool adaptive : { false, true })
+  {
+    options.adaptive = adaptive;
+    options.spacing = 1e-7;
+    const BoundarySamples samples = thinPlate().samples(options);
+    EXPECT_LE(samples.points.size(), 2000);
+    EXPECT_GT(samples.points.size(), 1000);
+    ASSERT_EQ(samples.warnings.size(), 1);
+    EXPECT_EQ(samples.warnings[0].code, "too_many_samples");
+  }
+}
+
+TEST(BoundarySamples, RefuseASurfaceThatIsTooNarrow)
+{
+  for (const double tip : { -1e9, -1e11 })
+  {
+    meshes::Mesh mesh = meshes::box(Point::Zero(), Point(1, 1, 1));
+    mesh.points[0].x() = tip;
+    const Solid needle(mesh);
+    try
+    {
+      needle.samples({});
+      FAIL() << tip;
+    }
+    catch (const medial::InvalidInput& refused)
+    {
+      EXPECT_NE(std::string(refused.what()).find("too narrow"), std::string::npos)
+        << refused.what();
+    }
+  }
+}
+
 TEST(BoundarySamples, AreEnoughOfASurfaceWithFewPoints)
 {
   const Solid box(meshes::box(Point::Zero(), Point(1, 2, 3)));
