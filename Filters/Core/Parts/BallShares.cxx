@@ -76,16 +76,15 @@ Lists<BallShare> ballShares(const MedialAxis& axis, const std::vector<Index>& pa
       partsOf(cellsOfPoint[p], partOfCell, parts);
       all.insert(all.end(), parts.begin(), parts.end());
     }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
+    sortUnique(all);
     result.append(sharesBySize(all, sizeOfPart));
   }
   return result;
 }
 
-std::vector<Index> partOfBall(
-  const MedialAxis& axis, const std::vector<Index>& partOfCell, const IndexLists& cellsOfPoint)
+std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell)
 {
+  const IndexLists cellsOfPoint = cellsOfPoints(axis.cells);
   std::vector<Index> part(axis.ballOwner.size(), None), most(axis.ballOwner.size(), 0);
   std::vector<Index> parts;
   for (Index p = 0; p < cellsOfPoint.size(); ++p)
@@ -113,11 +112,6 @@ std::vector<Index> partOfBall(
     result[b] = axis.ballOwner[b] == None ? None : part[axis.ballOwner[b]];
   }
   return result;
-}
-
-std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell)
-{
-  return partOfBall(axis, partOfCell, cellsOfPoints(axis.cells));
 }
 
 std::vector<char> keptBalls(const MedialAxis& axis)

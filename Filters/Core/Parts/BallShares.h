@@ -28,15 +28,10 @@ struct BallShare
 Lists<BallShare> ballShares(const MedialAxis& axis, const std::vector<Index>& partOfCell,
   const std::vector<double>& sizeOfPart, const IndexLists& cellsOfPoint);
 
-/// The one part that each polar ball counts for: of the parts at its medial point the one with most
-/// cells there, the first of several. So every volume is counted once. A ball off the axis counts for
-/// the part of its owner. None where the owner is no longer on the axis.
-/// @param partOfCell    for each cell of the axis, or None
-/// @param cellsOfPoint  of the axis
-std::vector<Index> partOfBall(
-  const MedialAxis& axis, const std::vector<Index>& partOfCell, const IndexLists& cellsOfPoint);
-
-/// The same; finds the cells of each point.
+/// The one part that each polar ball is shown with: of the parts at its medial point the one with most
+/// cells there, the first of several. A ball off the axis goes with the part of its owner. None where the
+/// owner is no longer on the axis.
+/// @param partOfCell  for each cell of the axis, or None
 std::vector<Index> partOfBall(const MedialAxis& axis, const std::vector<Index>& partOfCell);
 
 /// For each polar ball: does it, or its owner, lie on a point that a cell of the axis uses? After
