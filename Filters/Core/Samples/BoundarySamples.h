@@ -46,7 +46,7 @@ class BoundarySampler
 public:
   /// Finds out how far samples may be apart.
   /// @param surface, tree  are referred to
-  /// @throw InvalidInput   an option is out of range
+  /// @throw InvalidInput   an option is out of range, or the surface is too narrow for its length to be sampled
   /// @throw Aborted
   BoundarySampler(const ClosedSurface& surface, const SurfaceTree& tree,
     const SamplingOptions& options = {}, const Execution& execution = {});

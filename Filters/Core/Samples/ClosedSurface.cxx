@@ -120,8 +120,16 @@ void closeBorders(Mesh& mesh, double diagonal, ClosedSurface& result)
   }
 }
 
-/// @throw InvalidInput  if no connected piece of an oriented surface encloses a volume
-void checkVolume(Mesh& mesh)
+/// May a volume differ from 0 by rounding only?
+/// @param diagonal  of the surface
+bool isFlat(double volume, double area, double diagonal)
+{
+  constexpr double rounding = 1e-14; // of coordinates as large as the surface, and some more
+  return !(volume > rounding * area * diagonal);
+}
+
+/// Does none of the connected pieces of an oriented surface enclose a volume?
+bool isFlat(Mesh& mesh)
 {
   std::vector<Point> points;
   for (const Mesh::Vertex_index v : mesh.vertices())
@@ -129,7 +137,7 @@ void checkVolume(Mesh& mesh)
     points.push_back(fromKernel(mesh.point(v)));
   }
   const double diagonal = boundingBox(points).diagonal().norm();
-  const auto [pieceOf, isNew] = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:piece", 0);
+  const auto pieceOf = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:piece", 0).first;
   std::vector<double> volumes(pmp::connected_components(mesh, pieceOf)), areas(volumes.size());
   for (const Mesh::Face_index f : mesh.faces())
   {
@@ -143,15 +151,12 @@ void checkVolume(Mesh& mesh)
     volumes[pieceOf[f]] += a.dot(b.cross(c)) / 6;
     areas[pieceOf[f]] += (b - a).cross(c - a).norm() / 2;
   }
+  bool result = true;
   for (std::size_t i = 0; i < volumes.size(); ++i)
   {
-    constexpr double rounding = 1e-14; // of coordinates as large as the surface, and some more
-    if (std::abs(volumes[i]) > rounding * areas[i] * diagonal)
-    {
-      return;
-    }
+    result = result && isFlat(std::abs(volumes[i]), areas[i], diagonal);
   }
-  throw InvalidInput("the surface is flat: it encloses no volume");
+  return result;
 }
 
 /// The piece of the surface that each triangle belongs to.
@@ -259,7 +264,11 @@ ClosedSurface closedSurface(
   {
     throw InvalidInput("the polygons have no area");
   }
-  checkVolume(mesh);
+  const std::string flat = "the surface is flat: it encloses no volume";
+  if (isFlat(mesh)) // then it has no outside that CGAL could find
+  {
+    throw InvalidInput(flat);
+  }
   pmp::orient_to_bound_a_volume(mesh);
   execution.report(0.6);
   take(mesh, soup, result);
@@ -269,9 +278,9 @@ ClosedSurface closedSurface(
   {
     throw InvalidInput("the polygons can't be oriented as the surface of a solid");
   }
-  if (!(result.measures.volume > 0))
+  if (isFlat(result.measures.volume, result.area, boundingBox(result.points).diagonal().norm()))
   {
-    throw InvalidInput("the surface encloses no volume");
+    throw InvalidInput(flat);
   }
   execution.report(1);
   return result;
