@@ -79,8 +79,10 @@ TEST(Stages, ReportMoreOftenTheMoreThereIsToDo)
   for (std::size_t stage = 0; stage < few.size(); ++stage)
   {
     EXPECT_GE(few[stage], 4u) << stage;
-    EXPECT_GE(many[stage], 4u)
-      << stage; // parts and pruning are quick, and passes vary with the shape
+    if (stage != 4) // pruning reports in each pass, and the number of passes follows from the shape
+    {
+      EXPECT_GE(many[stage], few[stage]) << stage;
+    }
   }
   for (const std::size_t slow : { 0, 1, 3, 5 }) // balls, axis, crusts: where the time goes
   {
