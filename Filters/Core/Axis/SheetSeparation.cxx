@@ -41,7 +41,7 @@ public:
     for (bool changed = true; changed;)
     {
       changed = false;
-      this->sheets.findPieces();
+      this->sheets.findSheets();
       for (const Index s : seams)
       {
         for (const Index v : this->faces.ends(s))
@@ -77,42 +77,68 @@ private:
     return false;
   }
 
-  /// The faces that lead around a vertex, over sides without a third sheet, from one face at a seam to
-  /// another, both included; none where there is no way.
+  /// The faces that lead around an end of a seam, over sides with two faces in sheets, from one face at the
+  /// seam to another, both included; none where there is no way. The end is a vertex, and those that sides
+  /// with more faces in sheets, which are no seams, connect with it.
   std::vector<Index> around(Index seam, Index vertex, Index from, Index to)
   {
-    struct Step
-    {
-      Index face, before; ///< and the step it was reached from
-    };
+    std::vector<Index> end{ vertex };
     std::vector<Step> steps{ { from, None } };
-    for (Index i = 0; i < count(steps); ++i)
+    for (std::size_t known = 0; known < end.size();)
     {
-      if (steps[i].face == to)
+      known = end.size();
+      for (Index i = 0; i < count(steps); ++i)
       {
-        std::vector<Index> path;
-        for (Index k = i; k != None; k = steps[k].before)
+        if (steps[i].face == to)
         {
-          path.push_back(steps[k].face);
+          return pathTo(i, steps);
         }
-        return path;
-      }
-      for (const Index s : this->faces.sidesOf(steps[i].face))
-      {
-        const Edge& ends = this->faces.ends(s);
-        const bool isHere = s != seam && (ends[0] == vertex || ends[1] == vertex);
-        const std::vector<Index> at = isHere ? this->sheets.sheetsAt(s) : std::vector<Index>{};
-        for (const Index q : at)
-        {
-          const auto isQ = [q](const Step& step) { return step.face == q; };
-          if (at.size() == 2 && std::none_of(steps.begin(), steps.end(), isQ))
-          {
-            steps.push_back({ q, i });
-          }
-        }
+        this->step(seam, i, steps, end);
       }
     }
     return {};
+  }
+
+  struct Step
+  {
+    Index face, before; ///< and the step it was reached from
+  };
+
+  static std::vector<Index> pathTo(Index step, const std::vector<Step>& steps)
+  {
+    std::vector<Index> path;
+    for (; step != None; step = steps[step].before)
+    {
+      path.push_back(steps[step].face);
+    }
+    return path;
+  }
+
+  /// Appends the faces that are next to one at the end of a seam, and vertices that belong to the end.
+  void step(Index seam, Index from, std::vector<Step>& steps, std::vector<Index>& end)
+  {
+    const auto isIn = [&end](Index v) { return std::find(end.begin(), end.end(), v) != end.end(); };
+    for (const Index s : this->faces.sidesOf(steps[from].face))
+    {
+      const Edge& ends = this->faces.ends(s);
+      if (s == seam || (!isIn(ends[0]) && !isIn(ends[1])))
+      {
+        continue;
+      }
+      const std::vector<Index> at = this->sheets.sheetsAt(s);
+      if (at.size() > 2 && !this->sheets.isTripod(s, at) && !(isIn(ends[0]) && isIn(ends[1])))
+      {
+        end.push_back(isIn(ends[0]) ? ends[1] : ends[0]);
+      }
+      for (const Index q : at.size() == 2 ? at : std::vector<Index>{})
+      {
+        const auto isQ = [q](const Step& step) { return step.face == q; };
+        if (std::none_of(steps.begin(), steps.end(), isQ))
+        {
+          steps.push_back({ q, from });
+        }
+      }
+    }
   }
 
   /// Collapses the nearest face with a free side to a path around a vertex, in its ball; of several the

@@ -30,15 +30,41 @@ void Sheets::findPieces()
       }
     }
   }
-  this->findSheets();
 }
 
 void Sheets::findSheets()
 {
+  const Index polygonCount = count(this->faces.polygons);
+  std::vector<char> isIn(polygonCount);
+  for (Index p = 0; p < polygonCount; ++p)
+  {
+    isIn[p] = this->faces.isFace(p);
+  }
+  constexpr int rounds =
+    2; // what slivers have kept apart may be a sliver or one sheet without them
+  for (int round = 0; round < rounds; ++round)
+  {
+    this->findSheetsAmong(isIn);
+    for (Index p = 0; p < polygonCount; ++p)
+    {
+      isIn[p] = isIn[p] && this->isSheet[this->pieces.find(p)];
+    }
+  }
+}
+
+void Sheets::findSheetsAmong(const std::vector<char>& isIn)
+{
+  this->pieces = DisjointSets(count(this->faces.polygons));
   std::vector<char> atBorder(this->faces.vertexCount(), 0);
   for (Index s = 0; s < this->faces.sideCount(); ++s)
   {
-    if (this->faces.faceCount(s) == 1)
+    std::vector<Index> at = this->faces.facesAt(s);
+    at.erase(std::remove_if(at.begin(), at.end(), [&isIn](Index p) { return !isIn[p]; }), at.end());
+    if (at.size() == 2)
+    {
+      this->pieces.unite(at[0], at[1]);
+    }
+    else if (at.size() == 1)
     {
       atBorder[this->faces.ends(s)[0]] = atBorder[this->faces.ends(s)[1]] = 1;
     }
@@ -47,7 +73,7 @@ void Sheets::findSheets()
   for (Index p = 0; p < count(this->faces.polygons); ++p)
   {
     const std::vector<Index>& corners = this->faces.polygons[p].corners;
-    if (this->faces.isFace(p) &&
+    if (isIn[p] &&
       std::none_of(corners.begin(), corners.end(), [&](Index v) { return atBorder[v]; }))
     {
       this->isSheet[this->pieces.find(p)] = 1;

@@ -19,8 +19,8 @@ struct FaceGeometry
   std::vector<Edge> siteEdges; ///< by FacePolygon::siteEdge: the two sites of a face
 };
 
-/// Pieces of faces: faces that are the only two at a side, or do not turn there, are one piece. A piece
-/// with a face that has no vertex at the border is a sheet, any other a sliver.
+/// Pieces of faces. Two kinds of them are told apart: pieces, which count what touches smoothly as one, and
+/// sheets, which are what parts will be after pruning has taken the small ones away.
 ///
 /// Two faces turn at a side if one of their sites moves, from one face to the other, farther than its
 /// distance from the side. For example, the three sheets of a solid with a Y as cross-section turn
@@ -32,13 +32,19 @@ public:
   /// @param faceComplex, faceGeometry  must outlive this
   Sheets(const FaceComplex& faceComplex, const FaceGeometry& faceGeometry);
 
-  /// Finds the pieces of the faces that are there now, in linear time.
+  /// Finds pieces among the faces that are there now, in linear time: faces that are the only two at a side,
+  /// or do not turn there, are one piece.
   void findPieces();
+
+  /// Finds sheets among the faces that are there now, in linear time. Faces that are the only two at a side
+  /// are one piece; a piece with a face that has no vertex at the border is a sheet, any other a sliver. Then
+  /// the same without the slivers: each sheet becomes a piece.
+  void findSheets();
 
   /// The lowest face of a face's piece.
   Index pieceOf(Index polygon) { return this->pieces.find(polygon); }
 
-  /// The faces at a side that are in sheets.
+  /// The faces at a side that are in sheets, as findSheets() found them.
   std::vector<Index> sheetsAt(Index side);
 
   bool turns(Index side, Index p, Index q) const;
@@ -51,7 +57,7 @@ public:
 
 private:
   double cosine(Index vertex, const Edge& p, const Edge& q) const;
-  void findSheets();
+  void findSheetsAmong(const std::vector<char>& isIn);
 
   const FaceComplex& faces;
   const FaceGeometry& geometry;
