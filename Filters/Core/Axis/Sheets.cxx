@@ -40,8 +40,8 @@ void Sheets::findSheets()
   {
     isIn[p] = this->faces.isFace(p);
   }
-  constexpr int rounds =
-    2; // what slivers have kept apart may be a sliver or one sheet without them
+  // Without the slivers between them, two sheets may be one, and a sheet may be a sliver.
+  constexpr int rounds = 2;
   for (int round = 0; round < rounds; ++round)
   {
     this->findSheetsAmong(isIn);
