@@ -78,8 +78,8 @@ private:
   }
 
   /// The faces that lead around an end of a seam, over sides with two faces in sheets, from one face at the
-  /// seam to another, both included; none where there is no way. The end is a vertex, and those that sides
-  /// with more faces in sheets, which are no seams, connect with it.
+  /// seam to another, both included; none where there is no way. The end is a vertex, and the first few that
+  /// sides with more faces in sheets, which are no seams, connect with it.
   std::vector<Index> around(Index seam, Index vertex, Index from, Index to)
   {
     std::vector<Index> end{ vertex };
@@ -98,6 +98,9 @@ private:
     }
     return {};
   }
+
+  /// More do not help at the corners of boxes. On a bumpy sphere ends of any length take quadratic time.
+  static constexpr Index largestEnd = 4;
 
   struct Step
   {
@@ -126,7 +129,8 @@ private:
         continue;
       }
       const std::vector<Index> at = this->sheets.sheetsAt(s);
-      if (at.size() > 2 && !this->sheets.isTripod(s, at) && !(isIn(ends[0]) && isIn(ends[1])))
+      if (count(end) < largestEnd && at.size() > 2 && !this->sheets.isTripod(s, at) &&
+        !(isIn(ends[0]) && isIn(ends[1])))
       {
         end.push_back(isIn(ends[0]) ? ends[1] : ends[0]);
       }
