@@ -129,7 +129,7 @@ AxisComplex dualComplex(const PolarBalls& polarBalls, const SingularPoints& sing
 {
   const AxisVertices dual = axisVertices(sites, set);
   execution.poll();
-  VoronoiFaces faces = voronoiFaces(sites, set, dual);
+  VoronoiFaces faces = voronoiFaces(sites, set, dual, execution);
   std::vector<FacePolygon>& polygons = faces.polygons;
   execution.poll();
   AllVertices vertices = allVertices(polarBalls, sites, frame, dual);

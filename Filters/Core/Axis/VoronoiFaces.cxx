@@ -292,21 +292,24 @@ void appendEdgesWithoutFace(const SiteTriangulation& sites, const OpenSet& set, 
 
 }
 
-VoronoiFaces voronoiFaces(
-  const SiteTriangulation& sites, const OpenSet& set, const AxisVertices& vertices)
+VoronoiFaces voronoiFaces(const SiteTriangulation& sites, const OpenSet& set,
+  const AxisVertices& vertices, const Execution& execution)
 {
   const Faces faces = keptFaces(sites, set, vertices);
   std::vector<FaceWalk> walks;
   for (Index e = 0; e < count(faces); ++e)
   {
+    execution.pollAt(e);
     if (faces[e] != None)
     {
       walks.push_back(faceWalk(sites, e, faces[e], vertices));
     }
   }
+  execution.poll();
   VoronoiFaces result;
   VertexSides sides(sites, set, vertices, walks, result.midpoints);
   Index nextVertex = count(vertices.firstCell) + count(result.midpoints);
+  execution.poll();
   for (const FaceWalk& walk : walks)
   {
     if (walk.vertices.size() == 2)
@@ -320,6 +323,7 @@ VoronoiFaces voronoiFaces(
         withMiddles(walk, sides), walk.siteEdge, nextVertex, result.midpoints, result.polygons);
     }
   }
+  execution.poll();
   appendEdgesWithoutFace(sites, set, faces, vertices, sides, result.polygons);
   return result;
 }

@@ -6,6 +6,7 @@
 #include "Axis/Carving.h"
 #include "Axis/FacePolygon.h"
 #include "Axis/SiteTriangulation.h"
+#include "Base/Execution.h"
 #include "Base/Types.h"
 
 #include <vector>
@@ -27,8 +28,8 @@ struct VoronoiFaces
     midpoints; ///< further vertices, numbered on from the dual ones: each is to lie in
                ///< the middle between these two, which have lower numbers
 };
-VoronoiFaces voronoiFaces(
-  const SiteTriangulation& sites, const OpenSet& set, const AxisVertices& vertices);
+VoronoiFaces voronoiFaces(const SiteTriangulation& sites, const OpenSet& set,
+  const AxisVertices& vertices, const Execution& execution = {});
 }
 
 #endif
