@@ -38,7 +38,8 @@
  * Warnings, in the field data as vtkPolarBalls.h describes: `filled_holes`, `self_intersections`,
  * `wrapped` (Wrap was needed; with its offset),
  * `too_many_samples` (MaximumSamples was in the way), `too_few_samples` (the balls of the samples don't
- * have the Betti numbers of the solid; with a place).
+ * have the Betti numbers of the solid; with a place), `far_surface` (their power crust is farther than half a
+ * spacing from the surface; with a place).
  *
  * An error (no polygons; a hole too large to fill; triangles of two pieces, or more than one in a hundred,
  * that intersect; a coordinate that is not finite) leaves the outputs empty and sets the error code. Under

@@ -26,9 +26,9 @@ class NamedSolids(unittest.TestCase):
     def test_this_is_right_though_doubted(self):
         self.assertLessEqual(self.outcomes(1892), {"right", "right but not certified"})
 
-    def test_what_these_coarse_samples_get_wrong_is_said(self):
+    def test_what_these_samples_get_wrong_is_said(self):
         allowed = {"wrong but said", "right but not certified", "right", "fallback said", "balls put back"}
-        for number in (15, 40, 44, 55):
+        for number in (15, 40, 44, 55, 2645, 2737):
             with self.subTest(number):
                 self.assertLessEqual(self.outcomes(number), allowed)
 

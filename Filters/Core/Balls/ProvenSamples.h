@@ -11,11 +11,13 @@ struct ProvenSamples
 {
   BoundarySamples samples;
   Index rounds = 0;  ///< how often they were made denser
+  Index added = 0;   ///< samples where the crust was far from the surface
   Warnings warnings; ///< those of the samples; and, if they are not enough, where not
 };
 
 /// Samples a closed surface until the power shape of the samples' balls has the Betti numbers of the
-/// solid. As long as it doesn't, the spacing is halved where the power diagram contradicts the surface.
+/// solid. As long as it doesn't, the spacing is halved where the power diagram contradicts the surface. Then
+/// samples are added where the power crust is farther from the surface than half a spacing, and not at a sharp edge.
 /// @param rounds  how often at most; 0: the samples are not checked
 /// @throw InvalidInput  an option is out of range
 /// @throw Aborted

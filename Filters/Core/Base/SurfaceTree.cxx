@@ -8,6 +8,7 @@
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -91,6 +92,14 @@ SurfaceTree::Place SurfaceTree::nearest(const Point& point) const
 {
   const auto found = this->implementation->tree.closest_point_and_primitive(toKernel(point));
   return { fromKernel(found.first), static_cast<Index>(found.second.idx()) };
+}
+
+double SurfaceTree::distance(const Point& point, Index triangle) const
+{
+  const Mesh& mesh = this->implementation->mesh;
+  const auto corner = [&](int k) { return mesh.point(Mesh::Vertex_index(3 * triangle + k)); };
+  const Kernel::Triangle_3 whole(corner(0), corner(1), corner(2));
+  return std::sqrt(CGAL::squared_distance(toKernel(point), whole));
 }
 
 std::optional<SurfaceTree::Place> SurfaceTree::firstMet(

@@ -31,6 +31,9 @@ public:
   /// The point of the surface that is nearest to `point`.
   Place nearest(const Point& point) const;
 
+  /// How far a point is from one triangle, an area or not.
+  double distance(const Point& point, Index triangle) const;
+
   /// Where the straight way between two points first meets a triangle other than `skipped`, if it does. A
   /// search takes as long as there are triangles on the way.
   std::optional<Place> firstMet(const Point& from, const Point& to, Index skipped) const;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/BoundarySamples.h"
 
+#include "Base/EdgeTree.h"
 #include "Base/Frame.h"
+#include "Base/Neighbors.h"
 #include "Samples/SharpEdges.h"
 
 #include <algorithm>
@@ -67,6 +69,19 @@ struct Probes
   std::vector<Point> places;
   std::vector<double> spacings;
 };
+
+EdgeTree treeOf(const TriangleSet& triangles, const std::vector<SharpLine>& lines)
+{
+  std::vector<Edge> edges;
+  for (const SharpLine& line : lines)
+  {
+    for (const SharpEdge& edge : line)
+    {
+      edges.push_back(edge.ends);
+    }
+  }
+  return EdgeTree(triangles.points, edges);
+}
 }
 
 struct BoundarySampler::Implementation
@@ -77,6 +92,7 @@ struct BoundarySampler::Implementation
     , tree(theTree)
     , options(theOptions)
     , lines(sharpLines(triangles, theOptions.sharpAngle))
+    , sharpEdges(treeOf(triangles, lines))
     , largest(theOptions.spacing > 0 ? std::max(theOptions.spacing, closest(surface, theOptions))
                                      : usualSpacing(surface))
     , edges(wedgeEdges(this->triangles, this->lines, this->largest))
@@ -147,6 +163,25 @@ struct BoundarySampler::Implementation
     return finer;
   }
 
+  /// The points of the surface next to a place, on both sides of it.
+  std::vector<SurfacePoint> around(const Point& place) const
+  {
+    const SurfaceTree::Place foot = this->tree.nearest(place);
+    std::vector<SurfaceTree::Place> found{ foot };
+    constexpr double far = 4; // spacings: what is opposite in a wedge is nearer
+    const Point away = (place - foot.point).normalized() * far * this->field.at(place);
+    if (const auto opposite = this->tree.firstMet(place, place + away, None))
+    {
+      found.push_back(this->tree.nearest(opposite->point));
+    }
+    std::vector<SurfacePoint> result;
+    for (const SurfaceTree::Place& each : found)
+    {
+      result.push_back({ each.point, this->triangles.normals[each.triangle], each.triangle });
+    }
+    return result;
+  }
+
   /// Walls come as close as one likes at the tip of a wedge; samples don't.
   double smallest() const { return this->largest / 64; }
 
@@ -170,9 +205,9 @@ struct BoundarySampler::Implementation
     if (least > 0)
     {
       this->warnings.push_back({ "too_many_samples",
-        text("samples are nowhere closer than ", least, ", so that there are not more than ",
+        text("Samples are nowhere closer than ", least, ", so that there are not more than ",
           this->options.maximumSamples,
-          "; thin places may be wrong: allow more samples, or sample a part of the surface"),
+          ". Thin places may be wrong: allow more samples, or sample a part of the surface."),
         1, this->field.tightest(), true });
     }
   }
@@ -180,7 +215,8 @@ struct BoundarySampler::Implementation
   TriangleSet triangles;
   const SurfaceTree& tree;
   SamplingOptions options;
-  std::vector<SharpLine> lines;
+  std::vector<SharpLine> lines; ///< with pairs
+  EdgeTree sharpEdges;          ///< all
   double largest;
   std::vector<WedgeEdge> edges;
   Probes probes;
@@ -212,6 +248,41 @@ BoundarySamples BoundarySampler::samples(const Execution& execution) const
     [&](Index i) { result.spacings[i] = known.field.at(result.points[i].position); });
   result.warnings = known.warnings;
   return result;
+}
+
+bool BoundarySampler::isAtSharpEdge(const Point& place) const
+{
+  constexpr double less = 0.7; // of the spacing that was asked for: pairs are closer together
+  return this->implementation->sharpEdges.distance(place) <
+    less * this->implementation->field.at(place);
+}
+
+Index BoundarySampler::add(const std::vector<Point>& places, BoundarySamples& samples) const
+{
+  const Implementation& known = *this->implementation;
+  std::vector<SurfacePoint> found;
+  for (const Point& place : places)
+  {
+    const std::vector<SurfacePoint> around = known.around(place);
+    found.insert(found.end(), around.begin(), around.end());
+  }
+  const std::vector<Point> before = positions(samples.points), at = positions(found);
+  const Neighbors present(before), candidates(at);
+  std::vector<char> isAdded(found.size(), 0);
+  for (Index i = 0; i < count(found); ++i)
+  {
+    constexpr double apart = 0.3; // spacings: less makes samples uneven, more leaves places far
+    const double spacing = known.field.at(at[i]), near = apart * spacing;
+    const std::vector<Index> around = candidates.within(i, near);
+    if ((before[present.nearest(at[i], 1).front()] - at[i]).norm() >= near &&
+      std::none_of(around.begin(), around.end(), [&](Index other) { return isAdded[other]; }))
+    {
+      isAdded[i] = 1;
+      samples.points.push_back(found[i]);
+      samples.spacings.push_back(spacing);
+    }
+  }
+  return count(samples.points) - count(before);
 }
 
 void BoundarySampler::refine(const std::vector<Point>& places, const Execution& execution)

@@ -60,6 +60,14 @@ public:
   /// @throw Aborted
   void refine(const std::vector<Point>& places, const Execution& execution = {});
 
+  /// Is a place nearer to a sharp edge than samples beside it may be? The crust cuts the edge off there.
+  bool isAtSharpEdge(const Point& place) const;
+
+  /// Adds samples to those that were made: the points of the surface nearest to each place, and on the opposite
+  /// side of it, where there is no sample yet.
+  /// @return  how many were added
+  Index add(const std::vector<Point>& places, BoundarySamples& samples) const;
+
 private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation;

@@ -115,7 +115,7 @@ void closeBorders(Mesh& mesh, double diagonal, ClosedSurface& result)
       text(holes,
         holes == 1 ? " small hole of the surface was" : " small holes of the surface were",
         " filled with ", result.repairs.filledTriangles,
-        " triangles; close the surface yourself where that is wrong"),
+        " triangles. Close the surface yourself where that is wrong."),
       holes, firstFilled, false });
   }
 }
@@ -207,7 +207,7 @@ void checkIntersections(const Mesh& mesh, ClosedSurface& result)
   result.warnings.push_back({ "self_intersections",
     text(found.size(),
       found.size() == 1 ? " pair of triangles intersects" : " pairs of triangles intersect",
-      "; mend the surface there if the result is wrong near them"),
+      ". Mend the surface there if the result is wrong near them."),
     count(found), place, false });
 }
 
@@ -289,7 +289,7 @@ ClosedSurface closedSurface(
 Warning notASolid(const std::string& reason, Index polygonCount)
 {
   return { "not_a_solid",
-    "The polygons don't bound a solid, so only their points are used: " + reason, polygonCount, {},
-    false };
+    "The polygons don't bound a solid, so only their points are used: " + reason + ".",
+    polygonCount, {}, false };
 }
 }

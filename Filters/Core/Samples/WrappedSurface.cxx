@@ -117,8 +117,8 @@ ClosedSurface wrappedSurface(const std::vector<Point>& points, const IndexLists&
   result.repairs.mergedPoints = soup.mergedPoints;
   result.repairs.droppedPolygons = soup.droppedPolygons;
   const std::string what = text(
-    "the polygons don't bound a solid, so the inside of a surface around them is taken: about ",
-    offset, " outside them, and across gaps and holes narrower than ", width);
+    "The polygons don't bound a solid, so the inside of a surface around them is taken: about ",
+    offset, " outside them, and across gaps and holes narrower than ", width, ".");
   result.warnings.push_back(Warning{ "wrapped", what, polygons.size(), {}, false });
   return result;
 }

@@ -2,6 +2,7 @@
 #include "Balls/ProvenSamples.h"
 
 #include "Balls/Crossings.h"
+#include "Balls/FarFaces.h"
 #include "Balls/PolarBalls.h"
 #include "Executions.h"
 #include "Meshes.h"
@@ -165,6 +166,70 @@ TEST(PolarBallsInASolid, AreInnerWhereTheirCentreIs)
     }
   }
   EXPECT_TRUE(made.samples.warnings.empty());
+}
+
+/// Without pairs along the edges of two boxes, one face spans from wall to wall, though the topology is right.
+TEST(ProvenSamples, HaveTheirCrustNearTheSurface)
+{
+  const Solid boxes(twoBoxes(0.3));
+  SamplingOptions options = withSpacing(0.15, false);
+  options.sharpAngle = 180;
+  const auto farOf = [&](const ProvenSamples& made) {
+    return medial::farFaces(boxes.balls(made).balls, made.samples.points, boxes.tree, 0.5);
+  };
+  const ProvenSamples made = boxes.samples(options, 4);
+  EXPECT_EQ(made.rounds, 0);
+  EXPECT_GT(made.added, 0);
+  EXPECT_EQ(made.samples.spacings.size(), made.samples.points.size());
+  EXPECT_FALSE(farOf(boxes.samples(options, 0)).empty());
+  EXPECT_TRUE(farOf(made).empty());
+}
+
+TEST(ProvenSamples, TellWhereTheirCrustStaysFarFromTheSurface)
+{
+  int told = 0;
+  for (const double spacing : { 0.1, 0.13, 0.15 })
+  {
+    SCOPED_TRACE(testing::Message() << "spacing " << spacing);
+    const Solid boxes(twoBoxes(0.1));
+    SamplingOptions options = withSpacing(spacing, false);
+    options.sharpAngle = 180;
+    const ProvenSamples made = boxes.samples(options, 4);
+    const auto far =
+      medial::farFaces(boxes.balls(made).balls, made.samples.points, boxes.tree, 0.5);
+    ASSERT_EQ(made.warnings.size(), far.empty() ? 0 : 1);
+    if (!far.empty())
+    {
+      ++told;
+      EXPECT_EQ(made.warnings[0].code, "far_surface");
+      EXPECT_FALSE(made.warnings[0].doubtsSolid);
+      EXPECT_EQ(made.warnings[0].count, medial::count(far));
+      EXPECT_TRUE(std::any_of(far.begin(), far.end(),
+        [&](const medial::FarFace& face) { return face.place == made.warnings[0].place; }));
+    }
+  }
+  EXPECT_EQ(told, 1);
+}
+
+TEST(FarFaces, AreWhereSamplesAreTooFarApart)
+{
+  const Solid fine(meshes::torus());
+  const ProvenSamples enough = fine.samples(withSpacing(0.15), 0);
+  EXPECT_TRUE(
+    medial::farFaces(fine.balls(enough).balls, enough.samples.points, fine.tree, 0.5).empty());
+  const Solid boxes(twoBoxes(0.1));
+  const ProvenSamples tooFew = boxes.samples(withSpacing(0.4, false), 0);
+  const PolarBallsAndSamples made = boxes.balls(tooFew);
+  const auto found = medial::farFaces(made.balls, tooFew.samples.points, boxes.tree, 0.2);
+  const auto again =
+    medial::farFaces(made.balls, tooFew.samples.points, boxes.tree, 0.2, {}, pipelines::threaded());
+  ASSERT_FALSE(found.empty());
+  ASSERT_EQ(again.size(), found.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_GT(found[i].distance, 0.2);
+    EXPECT_EQ(again[i].place, found[i].place);
+  }
 }
 
 TEST(Crossings, AreOnTheSurfaceWhereSamplesAreTooFarApart)

@@ -235,6 +235,49 @@ TEST(BoundarySamples, AreTwiceAsCloseWhereRefined)
     near(torus.samples(coarse()), Point(-2.7, 0, 0), 0.3));
 }
 
+TEST(BoundarySamples, AreAddedOnBothWallsNextToAPlace)
+{
+  const Solid& plate = thinPlate();
+  SamplingOptions options = coarse();
+  options.adaptive = false; // far more than a wall is thick
+  const BoundarySampler sampler(plate.surface, plate.tree, options);
+  BoundarySamples samples = sampler.samples();
+  const Index before = medial::count(samples.points);
+  std::vector<Point> places;
+  for (int i = 1; i < 39; ++i)
+  {
+    places.emplace_back(0.1 * i, 0.5, 0.03); // within, nearer to the upper wall
+  }
+  const Index added = sampler.add(places, samples);
+  EXPECT_GT(added, 10);
+  EXPECT_EQ(medial::count(samples.points), before + added);
+  EXPECT_EQ(samples.spacings.size(), samples.points.size());
+  for (const Point& place : places)
+  {
+    for (const double z : { 0.0, 0.04 })
+    {
+      const Point foot(place.x(), place.y(), z);
+      EXPECT_GE(near(samples, foot, 0.3 * options.spacing), 1) << foot.transpose();
+    }
+  }
+  for (Index i = before; i < medial::count(samples.points); ++i)
+  {
+    EXPECT_EQ(plate.tree.distance(samples.points[i].position, samples.points[i].triangle), 0);
+    EXPECT_LE(near(samples, samples.points[i].position, 0.999 * 0.3 * options.spacing), 1);
+  }
+  EXPECT_EQ(sampler.add(places, samples), 0);
+}
+
+TEST(BoundarySamples, KnowWhatIsAtASharpEdge)
+{
+  const Solid cube(meshes::box(Point::Zero(), Point::Ones()));
+  const BoundarySampler sampler(cube.surface, cube.tree, coarse());
+  EXPECT_TRUE(sampler.isAtSharpEdge({ 0.5, 0.02, 0.02 }));
+  EXPECT_FALSE(sampler.isAtSharpEdge({ 0.5, 0.5, 0 }));
+  const Solid torus(meshes::torus());
+  EXPECT_FALSE(BoundarySampler(torus.surface, torus.tree, coarse()).isAtSharpEdge({ 2.7, 0, 0 }));
+}
+
 TEST(BoundarySamples, AreTheSameInEachRunAndForAnyThreads)
 {
   const Solid plate(meshes::drilledPlate(0.2));

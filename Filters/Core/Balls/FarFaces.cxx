@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Balls/FarFaces.h"
+
+#include "Base/Frame.h"
+#include "Base/Neighbors.h"
+#include "Base/Predicates.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+// Where samples are dense, inner and outer balls barely intersect, and the faces between them are on the
+// surface. Only the few faces between balls that intersect deeper are looked at.
+namespace medial
+{
+namespace
+{
+/// A cell of the triangulation at an edge between an inner and an outer ball.
+using EdgeCell = std::pair<Edge, Index>;
+
+bool isDeep(const PolarBalls& balls, Index a, Index b)
+{
+  constexpr double deep = -0.9; // cosine: measured; where samples are dense it is below -0.95
+  return a < b && balls.sides[a] != balls.sides[b] &&
+    intersectionDepth(balls.balls[a], balls.balls[b]) > deep;
+}
+
+std::vector<EdgeCell> deepEdges(const PolarBalls& balls)
+{
+  std::vector<EdgeCell> result;
+  const std::vector<Tetrahedron>& cells = balls.triangulation.cells;
+  for (Index c = 0; c < count(cells); ++c)
+  {
+    for (const Index a : cells[c])
+    {
+      for (const Index b : cells[c])
+      {
+        if (isDeep(balls, a, b))
+        {
+          result.push_back({ { a, b }, c });
+        }
+      }
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// Measures how far places are from the surface.
+class Distances
+{
+public:
+  Distances(const PolarBalls& theBalls, const std::vector<SurfacePoint>& theSamples,
+    const SurfaceTree& theSolid, double theMost, const PlaceTest& theLeftOut)
+    : balls(theBalls)
+    , samples(theSamples)
+    , solid(theSolid)
+    , most(theMost)
+    , isLeftOut(theLeftOut)
+    , neighbors(theBalls.samples)
+    , frame(frameOf(theBalls.samples))
+  {
+  }
+
+  /// The farthest of some places on the face between two balls, if it is too far.
+  std::optional<FarFace> farthest(const Edge& edge, const std::vector<Index>& cells) const
+  {
+    std::vector<Point> corners;
+    Point middle = Point::Zero();
+    for (const Index c : cells)
+    {
+      corners.push_back(this->vertex(this->balls.triangulation.cells[c]));
+      middle += corners.back() / count(cells);
+    }
+    const std::vector<Index> around = this->samplesOf(edge);
+    const double spacing = this->spacingAt(this->neighbors.nearest(middle, 1).front());
+    std::optional<FarFace> result = this->farPlace(middle, around, spacing);
+    for (const Point& corner : corners)
+    {
+      for (const double t : { 1.0 / 3, 2.0 / 3, 1.0 })
+      {
+        const auto far = this->farPlace((1 - t) * middle + t * corner, around, spacing);
+        if (far && (!result || far->distance > result->distance))
+        {
+          result = far;
+        }
+      }
+    }
+    return result;
+  }
+
+private:
+  Point vertex(const Tetrahedron& cell) const
+  {
+    const Index sample = lowestCommonItem(this->balls.ballSamples, cell);
+    if (sample != None)
+    {
+      return this->balls.samples[sample];
+    }
+    const auto ball = [&](int k) { return this->frame.toLocal(this->balls.balls[cell[k]]); };
+    return this->frame.toWorld(
+      powerCenter({ ball(0), ball(1), ball(2), ball(3) }, constructionError));
+  }
+
+  std::vector<Index> samplesOf(const Edge& edge) const
+  {
+    std::vector<Index> result;
+    for (const Index ball : edge)
+    {
+      const auto own = this->balls.ballSamples[ball];
+      result.insert(result.end(), own.begin(), own.end());
+    }
+    return result;
+  }
+
+  /// @param spacing  about there
+  std::optional<FarFace> farPlace(
+    const Point& place, const std::vector<Index>& around, double spacing) const
+  {
+    // Triangles of the samples tell of most places that they are near enough, at less cost.
+    constexpr double less = 0.6; // so much at least is the spacing at the place itself
+    const double enough = less * this->most * spacing;
+    if (std::any_of(around.begin(), around.end(),
+          [&](Index s) { return this->solid.distance(place, this->samples[s].triangle) < enough; }))
+    {
+      return {};
+    }
+    const Index nearest = this->neighbors.nearest(place, 1).front();
+    const double here = this->spacingAt(nearest);
+    const double distance = (this->solid.nearest(place).point - place).norm() / here;
+    return distance > this->most && !(this->isLeftOut && this->isLeftOut(place))
+      ? FarFace{ place, distance }
+      : std::optional<FarFace>();
+  }
+
+  double spacingAt(Index sample) const
+  {
+    const std::vector<Index> near = this->neighbors.nearest(sample, 6);
+    double sum = 0;
+    for (const Index other : near)
+    {
+      sum += (this->balls.samples[other] - this->balls.samples[sample]).norm();
+    }
+    return sum / count(near);
+  }
+
+  const PolarBalls& balls;
+  const std::vector<SurfacePoint>& samples;
+  const SurfaceTree& solid;
+  double most;
+  const PlaceTest& isLeftOut;
+  Neighbors neighbors;
+  Frame frame;
+};
+}
+
+std::vector<FarFace> farFaces(const PolarBalls& balls, const std::vector<SurfacePoint>& samples,
+  const SurfaceTree& solid, double most, const PlaceTest& isLeftOut, const Execution& execution)
+{
+  const std::vector<EdgeCell> all = deepEdges(balls);
+  std::vector<std::pair<Edge, std::vector<Index>>> faces;
+  for (const auto& [edge, cell] : all)
+  {
+    if (faces.empty() || faces.back().first != edge)
+    {
+      faces.push_back({ edge, {} });
+    }
+    faces.back().second.push_back(cell);
+  }
+  const Distances distances(balls, samples, solid, most, isLeftOut);
+  std::vector<std::optional<FarFace>> far(faces.size());
+  execution.forEach(
+    count(faces), [&](Index f) { far[f] = distances.farthest(faces[f].first, faces[f].second); });
+  std::vector<FarFace> result;
+  for (const std::optional<FarFace>& each : far)
+  {
+    if (each)
+    {
+      result.push_back(*each);
+    }
+  }
+  return result;
+}
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_FarFaces_h
+#define medial_FarFaces_h
+
+#include "Balls/PolarBalls.h"
+#include "Base/Execution.h"
+#include "Base/SurfaceTree.h"
+#include "Samples/LocalThickness.h"
+
+#include <functional>
+#include <vector>
+
+namespace medial
+{
+/// A face of the power crust that is far from the surface of the solid.
+struct FarFace
+{
+  Point place; ///< on the face
+  double
+    distance; ///< of the place from the surface, in spacings: of the nearest sample from its six nearest
+};
+
+using PlaceTest = std::function<bool(const Point& place)>;
+
+/// The faces between inner and outer power cells that are farther than `most` from the surface of the solid:
+/// the samples around are placed so badly that a face spans from one wall to another one. Each with its
+/// farthest place, in the order of their balls.
+/// @param balls      of the samples
+/// @param samples    of the surface in the tree
+/// @param most       in spacings
+/// @param isLeftOut  tells which places don't count; none: all count
+std::vector<FarFace> farFaces(const PolarBalls& balls, const std::vector<SurfacePoint>& samples,
+  const SurfaceTree& solid, double most, const PlaceTest& isLeftOut = {},
+  const Execution& execution = {});
+}
+
+#endif
