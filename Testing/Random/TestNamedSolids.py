@@ -28,7 +28,7 @@ class NamedSolids(unittest.TestCase):
 
     def test_what_these_samples_get_wrong_is_said(self):
         allowed = {"wrong but said", "right but not certified", "right", "fallback said", "balls put back"}
-        for number in (15, 40, 44, 55, 2645, 2737):
+        for number in (15, 40, 44, 55, 2645, 2737, 3982, 3998, 5050, 5266):
             with self.subTest(number):
                 self.assertLessEqual(self.outcomes(number), allowed)
 
