@@ -166,18 +166,16 @@ struct BoundarySampler::Implementation
   /// The points of the surface next to a place, on both sides of it.
   std::vector<SurfacePoint> around(const Point& place) const
   {
+    const auto pointAt = [this](const SurfaceTree::Place& on) {
+      return SurfacePoint{ on.point, this->triangles.normals[on.triangle], on.triangle };
+    };
     const SurfaceTree::Place foot = this->tree.nearest(place);
-    std::vector<SurfaceTree::Place> found{ foot };
+    std::vector<SurfacePoint> result{ pointAt(foot) };
     constexpr double far = 4; // spacings: what is opposite in a wedge is nearer
     const Point away = (place - foot.point).normalized() * far * this->field.at(place);
     if (const auto opposite = this->tree.firstMet(place, place + away, None))
     {
-      found.push_back(this->tree.nearest(opposite->point));
-    }
-    std::vector<SurfacePoint> result;
-    for (const SurfaceTree::Place& each : found)
-    {
-      result.push_back({ each.point, this->triangles.normals[each.triangle], each.triangle });
+      result.push_back(pointAt(this->tree.nearest(opposite->point)));
     }
     return result;
   }
