@@ -17,6 +17,22 @@ namespace medial
 {
 namespace
 {
+/// Of a walk over faces.
+struct Step
+{
+  Index face, before; ///< and the step it was reached from
+};
+
+std::vector<Index> pathTo(Index step, const std::vector<Step>& steps)
+{
+  std::vector<Index> path;
+  for (; step != None; step = steps[step].before)
+  {
+    path.push_back(steps[step].face);
+  }
+  return path;
+}
+
 class Separation
 {
 public:
@@ -102,21 +118,6 @@ private:
   /// More do not help at the corners of boxes. On a bumpy sphere ends of any length take quadratic time.
   static constexpr Index largestEnd = 4;
 
-  struct Step
-  {
-    Index face, before; ///< and the step it was reached from
-  };
-
-  static std::vector<Index> pathTo(Index step, const std::vector<Step>& steps)
-  {
-    std::vector<Index> path;
-    for (; step != None; step = steps[step].before)
-    {
-      path.push_back(steps[step].face);
-    }
-    return path;
-  }
-
   /// Appends the faces that are next to one at the end of a seam, and vertices that belong to the end.
   void step(Index seam, Index from, std::vector<Step>& steps, std::vector<Index>& end)
   {
@@ -124,15 +125,16 @@ private:
     for (const Index s : this->faces.sidesOf(steps[from].face))
     {
       const Edge& ends = this->faces.ends(s);
-      if (s == seam || (!isIn(ends[0]) && !isIn(ends[1])))
+      const bool first = isIn(ends[0]), second = isIn(ends[1]);
+      if (s == seam || (!first && !second))
       {
         continue;
       }
       const std::vector<Index> at = this->sheets.sheetsAt(s);
-      if (count(end) < largestEnd && at.size() > 2 && !this->sheets.isTripod(s, at) &&
-        !(isIn(ends[0]) && isIn(ends[1])))
+      if (first != second && count(end) < largestEnd && at.size() > 2 &&
+        !this->sheets.isTripod(s, at))
       {
-        end.push_back(isIn(ends[0]) ? ends[1] : ends[0]);
+        end.push_back(first ? ends[1] : ends[0]);
       }
       for (const Index q : at.size() == 2 ? at : std::vector<Index>{})
       {

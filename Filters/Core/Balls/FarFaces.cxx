@@ -6,7 +6,6 @@
 #include "Base/Predicates.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
