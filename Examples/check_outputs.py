@@ -27,6 +27,16 @@ def contents(folder):
     return found
 
 
+ENDING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+def setUpModule():
+    """A program inherits which signals are ignored: under nohup, and in the background of a script."""
+    for number in ENDING:
+        if signal.getsignal(number) == signal.SIG_IGN:
+            signal.signal(number, signal.SIG_DFL)
+
+
 def limit_files(size):
     return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
 
@@ -146,7 +156,7 @@ class Outputs(ProgramTest):
                 self.assert_nothing_hidden("out")
 
     def test_signals_end_the_program_within_a_second(self):
-        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129)):
+        for number, code in zip(ENDING, (130, 143, 129)):
             for delay in (0.5, 1.5):
                 with self.subTest(signal=number, delay=delay), self.start(ellipsoid(20000)) as process:
                     time.sleep(delay)

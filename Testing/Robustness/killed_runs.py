@@ -22,6 +22,7 @@ import os
 import random
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -111,7 +112,7 @@ class Runs:
             time.sleep(self.random.uniform(0, 1.1 * self.duration))
             ended = process.poll() is not None
             if not ended:
-                process.send_signal(getattr(__import__("signal"), "SIG" + way))
+                process.send_signal(getattr(signal, "SIG" + way))
             begin = time.monotonic()
             process.wait()
         assert time.monotonic() - begin < 1, "%s took more than a second" % way
@@ -215,6 +216,8 @@ def main():
     parser.add_argument("--every-step", action="store_true")
     parser.add_argument("--tmpfs", help="folder on a small tmpfs")
     arguments = parser.parse_args()
+    if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:  # as in the background of a script; the program inherits it
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
     print("seed %d" % arguments.seed, flush=True)
     with tempfile.TemporaryDirectory() as scratch, tempfile.TemporaryDirectory(dir=arguments.tmpfs) as place:
         runs = Runs(os.path.abspath(arguments.program), scratch, place, arguments.seed)
