@@ -154,15 +154,16 @@ private:
   std::vector<Pipe> pipes;
 };
 
-/// The best sides where links of poles count `weight` times.
+/// The best sides where links of poles count `weight` times, by the squares of their strengths: at a sharp edge, both
+/// poles of a sample can be on one side, and the sample sees them at an obtuse angle that isn't a straight one.
 std::vector<Side> bestSides(const std::vector<SideLink>& links, const std::vector<char>& known,
   const std::vector<Side>& sides, double weight)
 {
   Network network(count(sides));
   for (const SideLink& link : links)
   {
-    const double strength = (link.same ? 1 : weight) * link.strength;
-    network.link(link, std::llround(strength * unit));
+    const double strength = link.strength;
+    network.link(link, std::llround((link.same ? strength : weight * strength * strength) * unit));
   }
   for (Index b = 0; b < count(sides); ++b)
   {
@@ -186,10 +187,10 @@ void cutSides(const std::vector<SideLink>& links, const std::vector<char>& known
     return;
   }
   // Which kind of link is right depends on the place: at coarsely sampled holes links of poles, in narrow gaps
-  // those of balls that intersect. Where both cuts agree, it doesn't matter.
-  const std::vector<Side> first = bestSides(links, known, sides, 0.3);
+  // those of balls that intersect. Where both cuts agree, it doesn't matter. The weights are measured, see README.md.
+  const std::vector<Side> first = bestSides(links, known, sides, 0.5);
   execution.report(0.5);
-  const std::vector<Side> second = bestSides(links, known, sides, 3);
+  const std::vector<Side> second = bestSides(links, known, sides, 1.5);
   execution.report(1);
   for (std::size_t b = 0; b < sides.size(); ++b)
   {

@@ -11,8 +11,8 @@
 namespace medial
 {
 /// Puts balls on the other side where all links together say so: the sides that contradict links of the least
-/// total strength, by minimum cuts. Links that join the poles of samples are weighed once less and once
-/// more than the others; a ball changes its side only if both cuts agree.
+/// total strength, by minimum cuts. Links that join the poles of samples count by the squares of their strengths,
+/// and are weighed once less and once more than the others; a ball changes its side only if both cuts agree.
 ///
 /// @param links  between balls
 /// @param known  for each ball: is its side known? Then it stays

@@ -62,9 +62,17 @@ TEST(SideCut, TurnsAGroupOfBalls)
 
 TEST(SideCut, LeavesABallWhereTheKindsOfLinksDisagree)
 {
-  const std::vector<SideLink> links = { { 0, 1, 0.5F, true }, { 0, 1, 0.5F, false } };
+  const std::vector<SideLink> links = { { 0, 1, 1, true }, { 0, 1, 1, false } };
   EXPECT_EQ(cut(links, { Outer, Outer }, { 1, 0 }), std::vector<Side>({ Outer, Outer }));
   EXPECT_EQ(cut(links, { Outer, Inner }, { 1, 0 }), std::vector<Side>({ Outer, Inner }));
+}
+
+TEST(SideCut, WeighsPolesThatASampleSeesAtAnObtuseAngleLess)
+{
+  // As at the sharp rim of a hole: both poles of many samples are outside, at an angle of 134 degrees.
+  std::vector<SideLink> links(20, { 0, 1, 0.7F, false });
+  links.insert(links.end(), 15, { 0, 1, 1, true });
+  EXPECT_EQ(cut(links, { Outer, Inner }, { 1, 0 }), std::vector<Side>({ Outer, Outer }));
 }
 
 TEST(SideCut, KeepsKnownSidesAndBallsWithoutLinks)
