@@ -6,8 +6,9 @@ export DEBIAN_FRONTEND=noninteractive
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${MEDIAL_BUILD:-$top/build}
 meshes=$build/data/meshes
+export CCACHE_DIR=${CCACHE_DIR:-$build/ccache}
 
-build_packages=(g++ cmake ninja-build libvtk9-dev libvtk-dicom-dev libcgal-dev libeigen3-dev)
+build_packages=(g++ cmake ninja-build ccache libvtk9-dev libvtk-dicom-dev libcgal-dev libeigen3-dev)
 picture_packages=(xvfb libgl1-mesa-dri)
 paraview_packages=(paraview paraview-dev libopenmpi-dev openmpi-bin libqt5svg5 qtbase5-dev
   qttools5-dev qtxmlpatterns5-dev-tools)
@@ -50,12 +51,13 @@ install_packages()
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
-# Configures a folder with CMake: source, build folder, options. Shows CMake's words if it fails.
+# Configures a folder with CMake: source, build folder, options. Shows CMake's words if it fails. The core is in
+# two builds, of the library and of the plugin, and is compiled once.
 # Warnings are errors only in the continuous integration: another compiler may have new ones.
 configure()
 {
   mkdir -p "$2"
-  cmake -S "$1" -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  cmake -S "$1" -B "$2" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
     -DMEDIAL_WARNINGS="-Wall;-Wextra${CI:+;-Werror}" "${@:3}" >"$2/configure.log" 2>&1 ||
     { cat "$2/configure.log"; fail "CMake failed."; }
 }
