@@ -129,7 +129,7 @@ private:
     const double here = this->spacingAt(nearest);
     const double distance = (this->solid.nearest(place).point - place).norm() / here;
     return distance > this->most && !(this->isLeftOut && this->isLeftOut(place))
-      ? FarFace{ place, distance }
+      ? FarFace{ place, distance, here }
       : std::optional<FarFace>();
   }
 

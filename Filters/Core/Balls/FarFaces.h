@@ -16,8 +16,8 @@ namespace medial
 struct FarFace
 {
   Point place; ///< on the face
-  double
-    distance; ///< of the place from the surface, in spacings: of the nearest sample from its six nearest
+  double distance; ///< of the place from the surface, in spacings
+  double spacing;  ///< there: the mean distance of the nearest sample from its six nearest
 };
 
 using PlaceTest = std::function<bool(const Point& place)>;

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Balls/ProvenSamples.h"
 
+#include "Balls/BallsAround.h"
 #include "Balls/Crossings.h"
 #include "Balls/FarFaces.h"
 #include "Balls/PolarBalls.h"
 #include "Base/BettiWords.h"
 #include "Base/Lists.h"
+#include "Base/Neighbors.h"
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace medial
 {
@@ -45,53 +48,128 @@ Warning farFromSurface(const std::vector<FarFace>& faces)
     count(faces), farthest.place, false };
 }
 
-/// Adds samples where the crust of right ones is far from the surface. Those with the fewest such places are kept,
-/// if the balls still have the same topology.
-void bringCrustNear(const ClosedSurface& surface, const SurfaceTree& tree,
-  const BoundarySampler& sampler, const PolarBalls& balls, ProvenSamples& result,
-  const Execution& execution)
+/// Brings the power crust of right samples near to the surface.
+class CrustApproach
 {
-  constexpr double wanted = 0.5;        // spacings
-  constexpr double most = 0.9 * wanted; // other places of a face may be a little farther
-  constexpr int rounds = 5;             // most places are right after one or two
-  const auto isAtSharpEdge = [&sampler](
-                               const Point& place) { return sampler.isAtSharpEdge(place); };
-  BoundarySamples samples = result.samples;
-  std::vector<FarFace> faces =
-    farFaces(balls, samples.points, tree, most, isAtSharpEdge, execution);
-  std::vector<FarFace> best = faces;
-  for (int round = 0; round < rounds && !faces.empty(); ++round)
+public:
+  CrustApproach(const SurfaceTree& theTree, const BoundarySampler& theSampler, const Betti& theSolid)
+    : tree(theTree)
+    , sampler(theSampler)
+    , solid(theSolid)
+    , isAtSharpEdge([&theSampler](const Point& place) { return theSampler.isAtSharpEdge(place); })
   {
-    std::vector<Point> places;
-    std::transform(faces.begin(), faces.end(), std::back_inserter(places),
-      [](const FarFace& face) { return face.place; });
-    if (sampler.add(places, samples) == 0)
+  }
+
+  /// Adds samples where the crust is far from the surface. They are kept if the balls still have the same topology and
+  /// fewer such places.
+  void improve(const PolarBalls& balls, ProvenSamples& result, const Execution& execution) const
+  {
+    constexpr int rounds = 3;
+    const Index before = count(result.samples.points);
+    std::vector<FarFace> faces =
+      farFaces(balls, result.samples.points, this->tree, most, this->isAtSharpEdge, execution);
+    PolarBalls latest = balls;
+    for (int round = 0; round < rounds && hasFar(faces, round == 0 ? most : wanted); ++round)
     {
-      break;
+      const Execution part =
+        execution.between(round / double(rounds), (round + 1) / double(rounds));
+      BoundarySamples samples = result.samples;
+      if (!this->addAround(faces, latest, samples, part))
+      {
+        break;
+      }
+      PolarBallsAndSamples made =
+        polarBallsAndSamples(positions(samples.points), {}, part, &this->tree);
+      if (made.powerShape != this->solid)
+      {
+        break;
+      }
+      const std::vector<FarFace> left =
+        farFaces(made.balls, samples.points, this->tree, most, this->isAtSharpEdge, part);
+      if (left.size() >= faces.size())
+      {
+        break;
+      }
+      faces = left;
+      latest = std::move(made.balls);
+      result.samples = std::move(samples);
     }
-    const Execution part = execution.between(round / double(rounds), (round + 1) / double(rounds));
-    const PolarBallsAndSamples made =
-      polarBallsAndSamples(positions(samples.points), {}, part, &tree);
-    if (made.powerShape != surface.measures.betti)
+    result.added += count(result.samples.points) - before;
+    faces.erase(std::remove_if(faces.begin(), faces.end(),
+                  [](const FarFace& face) { return face.distance <= wanted; }),
+      faces.end());
+    if (!faces.empty())
     {
-      break;
-    }
-    faces = farFaces(made.balls, samples.points, tree, most, isAtSharpEdge, part);
-    if (faces.size() < best.size())
-    {
-      best = faces;
-      result.added += count(samples.points) - count(result.samples.points);
-      result.samples = samples;
+      result.warnings.push_back(farFromSurface(faces));
     }
   }
-  best.erase(std::remove_if(best.begin(), best.end(),
-               [&](const FarFace& face) { return face.distance <= wanted; }),
-    best.end());
-  if (!best.empty())
+
+private:
+  static constexpr double wanted = 0.5;        // spacings
+  static constexpr double most = 0.9 * wanted; // other places of a face may be a little farther
+
+  /// Adds samples around far faces, and again where faces are still far, by the balls around them only.
+  /// @return  were there any to add?
+  bool addAround(std::vector<FarFace> faces, const PolarBalls& balls, BoundarySamples& samples,
+    const Execution& execution) const
   {
-    result.warnings.push_back(farFromSurface(best));
+    constexpr int rounds = 12; // most places are right after one or two
+    bool isAdded = false;
+    for (int round = 0; round < rounds && !faces.empty(); ++round)
+    {
+      std::vector<Point> places;
+      std::transform(faces.begin(), faces.end(), std::back_inserter(places),
+        [](const FarFace& face) { return face.place; });
+      if (this->sampler.add(places, samples) == 0)
+      {
+        break;
+      }
+      isAdded = true;
+      faces = this->farFacesAround(faces, balls, samples, execution);
+    }
+    return isAdded;
   }
-}
+
+  static bool hasFar(const std::vector<FarFace>& faces, double distance)
+  {
+    return std::any_of(faces.begin(), faces.end(),
+      [distance](const FarFace& face) { return face.distance > distance; });
+  }
+
+  /// The far faces next to those that were far.
+  /// @param balls  of the samples before some were added
+  std::vector<FarFace> farFacesAround(const std::vector<FarFace>& faces, const PolarBalls& balls,
+    const BoundarySamples& samples, const Execution& execution) const
+  {
+    constexpr double next = 3, around = 8; // spacings
+    const std::vector<Point> all = positions(samples.points);
+    const Neighbors neighbors(all);
+    std::vector<Index> core;
+    for (const FarFace& face : faces)
+    {
+      const std::vector<Index> near = neighbors.within(face.place, around * face.spacing);
+      core.insert(core.end(), near.begin(), near.end());
+    }
+    sortUnique(core);
+    const BallsAround made = ballsAround(core, balls, all, this->tree, execution);
+    std::vector<SurfacePoint> points;
+    for (const Index s : made.samples)
+    {
+      points.push_back(samples.points[s]);
+    }
+    const auto isElsewhere = [&](const Point& place) {
+      return std::none_of(faces.begin(), faces.end(), [&](const FarFace& face) {
+        return (face.place - place).norm() < next * face.spacing;
+      }) || this->sampler.isAtSharpEdge(place);
+    };
+    return farFaces(made.balls, points, this->tree, most, isElsewhere, execution);
+  }
+
+  const SurfaceTree& tree;
+  const BoundarySampler& sampler;
+  Betti solid;
+  PlaceTest isAtSharpEdge;
+};
 
 Warning notEnough(const Betti& made, const Betti& solid, const std::vector<Crossing>& places)
 {
@@ -119,7 +197,8 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
       positions(result.samples.points), {}, execution.between(done, half), &tree);
     if (made.powerShape == surface.measures.betti)
     {
-      bringCrustNear(surface, tree, sampler, made.balls, result, execution.between(half, 1));
+      CrustApproach(tree, sampler, surface.measures.betti)
+        .improve(made.balls, result, execution.between(half, 1));
       break;
     }
     const std::vector<Crossing> places = crossings(made.balls, tree);

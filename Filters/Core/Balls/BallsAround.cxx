@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Balls/BallsAround.h"
+
+#include "Base/Frame.h"
+#include "Base/Neighbors.h"
+#include "Base/Triangulations.h"
+
+#include <algorithm>
+
+// A ball through samples with no other sample inside is one of the Delaunay triangulation of all samples. The
+// Voronoi cell of a sample among few others contains that among all; so where the sphere around its farthest
+// vertex is empty, that vertex is the pole.
+namespace medial
+{
+namespace
+{
+/// The samples that are the farthest on each axis: guards stand around them.
+std::vector<Index> extremes(const std::vector<Point>& samples)
+{
+  std::vector<Index> result(6, 0);
+  for (Index s = 0; s < count(samples); ++s)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double x = samples[s][axis];
+      result[axis] = x < samples[result[axis]][axis] ? s : result[axis];
+      result[axis + 3] = x > samples[result[axis + 3]][axis] ? s : result[axis + 3];
+    }
+  }
+  return result;
+}
+
+/// The balls that pass through a sample of the core.
+std::vector<Index> ballsOfCore(const PolarBalls& balls, const std::vector<char>& isCore)
+{
+  std::vector<Index> result;
+  for (Index b = 0; b < count(balls.balls); ++b)
+  {
+    const auto own = balls.ballSamples[b];
+    if (std::any_of(own.begin(), own.end(), [&](Index s) { return isCore[s]; }))
+    {
+      result.push_back(b);
+    }
+  }
+  return result;
+}
+
+/// The core, and the samples on its balls, as they were before.
+std::vector<Index> coreAndNeighbors(
+  const std::vector<Index>& core, const PolarBalls& before, Index sampleCount)
+{
+  std::vector<char> isCore(sampleCount, 0);
+  for (const Index s : core)
+  {
+    isCore[s] = 1;
+  }
+  std::vector<Index> result = core;
+  for (const Index b : ballsOfCore(before, isCore))
+  {
+    const auto own = before.ballSamples[b];
+    result.insert(result.end(), own.begin(), own.end());
+  }
+  return result;
+}
+
+/// Only some of the balls, with their own triangulation.
+PolarBalls only(const std::vector<Index>& chosen, const PolarBalls& all)
+{
+  PolarBalls result;
+  result.samples = all.samples;
+  const Frame frame = frameOf(all.samples);
+  std::vector<Ball> weighted;
+  for (const Index b : chosen)
+  {
+    weighted.push_back(jittered(frame.toLocal(all.balls[b]), count(weighted)));
+    result.balls.push_back(all.balls[b]);
+    result.sides.push_back(all.sides[b]);
+    result.ballSamples.append(all.ballSamples[b]);
+  }
+  RegularTriangulation triangulation;
+  triangulation.insert(weighted);
+  result.triangulation = triangulation.tetrahedra();
+  return result;
+}
+}
+
+BallsAround ballsAround(const std::vector<Index>& core, const PolarBalls& before,
+  const std::vector<Point>& samples, const SurfaceTree& solid, const Execution& execution)
+{
+  const Neighbors neighbors(samples);
+  BallsAround result;
+  result.samples = coreAndNeighbors(core, before, count(samples));
+  const std::vector<Index> farthest = extremes(samples);
+  result.samples.insert(result.samples.end(), farthest.begin(), farthest.end());
+  sortUnique(result.samples);
+  std::size_t known = 0;
+  while (result.samples.size() > known)
+  {
+    known = result.samples.size();
+    std::vector<Point> places;
+    std::vector<char> isCore;
+    for (const Index s : result.samples)
+    {
+      places.push_back(samples[s]);
+      isCore.push_back(std::binary_search(core.begin(), core.end(), s));
+    }
+    const PolarBalls made = polarBallsAndSamples(places, {}, execution, &solid).balls;
+    result.balls = only(ballsOfCore(made, isCore), made);
+    for (const Ball& ball : result.balls.balls)
+    {
+      result.samples.push_back(neighbors.nearest(ball.center, 1).front());
+    }
+    sortUnique(result.samples);
+  }
+  return result;
+}
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_BallsAround_h
+#define medial_BallsAround_h
+
+#include "Balls/PolarBalls.h"
+
+#include <vector>
+
+namespace medial
+{
+/// The polar balls of a few of many samples, as they are among all of them.
+struct BallsAround
+{
+  std::vector<Index> samples; ///< those of `balls`, by their numbers among all
+  PolarBalls balls;           ///< that pass through a sample of the core
+};
+
+/// Makes the balls of a core without those of all samples: from the core, and as many others as it takes
+/// until no other sample is within one of these balls.
+/// @param core    ascending numbers of samples
+/// @param before  balls of the first of the samples: much the same ones, so that few samples have to be found
+/// @param solid   tells the sides
+/// @throw Aborted
+BallsAround ballsAround(const std::vector<Index>& core, const PolarBalls& before,
+  const std::vector<Point>& samples, const SurfaceTree& solid, const Execution& execution = {});
+}
+
+#endif
