@@ -6,11 +6,12 @@
 #include "Base/Predicates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
-// Where samples are dense, inner and outer balls barely intersect, and the faces between them are on the
-// surface. Only the few faces between balls that intersect deeper are looked at.
+// Where samples are dense, inner and outer balls barely intersect, or barely miss each other, and the faces between
+// them are on the surface. Only the few faces between other balls are looked at.
 namespace medial
 {
 namespace
@@ -18,14 +19,14 @@ namespace
 /// A cell of the triangulation at an edge between an inner and an outer ball.
 using EdgeCell = std::pair<Edge, Index>;
 
-bool isDeep(const PolarBalls& balls, Index a, Index b)
+bool isOdd(const PolarBalls& balls, Index a, Index b)
 {
-  constexpr double deep = -0.9; // cosine: measured; where samples are dense it is below -0.95
+  constexpr double most = 0.1; // measured; where samples are dense it is below 0.05
   return a < b && balls.sides[a] != balls.sides[b] &&
-    intersectionDepth(balls.balls[a], balls.balls[b]) > deep;
+    std::abs(intersectionDepth(balls.balls[a], balls.balls[b]) + 1) > most;
 }
 
-std::vector<EdgeCell> deepEdges(const PolarBalls& balls)
+std::vector<EdgeCell> oddEdges(const PolarBalls& balls)
 {
   std::vector<EdgeCell> result;
   const std::vector<Tetrahedron>& cells = balls.triangulation.cells;
@@ -35,7 +36,7 @@ std::vector<EdgeCell> deepEdges(const PolarBalls& balls)
     {
       for (const Index b : cells[c])
       {
-        if (isDeep(balls, a, b))
+        if (isOdd(balls, a, b))
         {
           result.push_back({ { a, b }, c });
         }
@@ -128,7 +129,7 @@ private:
     const Index nearest = this->neighbors.nearest(place, 1).front();
     const double here = this->spacingAt(nearest);
     const double distance = (this->solid.nearest(place).point - place).norm() / here;
-    return distance > this->most && !(this->isLeftOut && this->isLeftOut(place))
+    return distance > this->most && !(this->isLeftOut && this->isLeftOut(place, here))
       ? FarFace{ place, distance, here }
       : std::optional<FarFace>();
   }
@@ -157,7 +158,7 @@ private:
 std::vector<FarFace> farFaces(const PolarBalls& balls, const std::vector<SurfacePoint>& samples,
   const SurfaceTree& solid, double most, const PlaceTest& isLeftOut, const Execution& execution)
 {
-  const std::vector<EdgeCell> all = deepEdges(balls);
+  const std::vector<EdgeCell> all = oddEdges(balls);
   std::vector<std::pair<Edge, std::vector<Index>>> faces;
   for (const auto& [edge, cell] : all)
   {

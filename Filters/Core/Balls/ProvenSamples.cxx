@@ -10,6 +10,7 @@
 #include "Base/Neighbors.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -56,7 +57,10 @@ public:
     : tree(theTree)
     , sampler(theSampler)
     , solid(theSolid)
-    , isAtSharpEdge([&theSampler](const Point& place) { return theSampler.isAtSharpEdge(place); })
+    , isAtSharpEdge([&theSampler](const Point& place, double spacing) {
+      // The crust cuts the edge off there.
+      return theSampler.isAtSharpEdge(place, spacing);
+    })
   {
   }
 
@@ -69,12 +73,12 @@ public:
     std::vector<FarFace> faces =
       farFaces(balls, result.samples.points, this->tree, most, this->isAtSharpEdge, execution);
     PolarBalls latest = balls;
-    for (int round = 0; round < rounds && hasFar(faces, round == 0 ? most : wanted); ++round)
+    for (int round = 0; round < rounds && !faces.empty(); ++round)
     {
       const Execution part =
         execution.between(round / double(rounds), (round + 1) / double(rounds));
-      BoundarySamples samples = result.samples;
-      if (!this->addAround(faces, latest, samples, part))
+      BoundarySamples samples = this->addAround(faces, latest, result.samples, part);
+      if (samples.points.size() == result.samples.points.size())
       {
         break;
       }
@@ -86,7 +90,7 @@ public:
       }
       const std::vector<FarFace> left =
         farFaces(made.balls, samples.points, this->tree, most, this->isAtSharpEdge, part);
-      if (left.size() >= faces.size())
+      if (badness(left) >= badness(faces))
       {
         break;
       }
@@ -108,32 +112,40 @@ private:
   static constexpr double wanted = 0.5;        // spacings
   static constexpr double most = 0.9 * wanted; // other places of a face may be a little farther
 
-  /// Adds samples around far faces, and again where faces are still far, by the balls around them only.
-  /// @return  were there any to add?
-  bool addAround(std::vector<FarFace> faces, const PolarBalls& balls, BoundarySamples& samples,
-    const Execution& execution) const
+  /// How many faces are farther than wanted, and how many nearly are.
+  static std::array<Index, 2> badness(const std::vector<FarFace>& faces)
+  {
+    const auto isTooFar = [](const FarFace& face) { return face.distance > wanted; };
+    return { static_cast<Index>(std::count_if(faces.begin(), faces.end(), isTooFar)),
+      count(faces) };
+  }
+
+  /// The samples with those added around far faces, again and again where faces are still far, that leave the fewest by
+  /// the balls around them.
+  BoundarySamples addAround(const std::vector<FarFace>& faces, const PolarBalls& balls,
+    const BoundarySamples& samples, const Execution& execution) const
   {
     constexpr int rounds = 12; // most places are right after one or two
-    bool isAdded = false;
-    for (int round = 0; round < rounds && !faces.empty(); ++round)
+    BoundarySamples best = samples, tried = samples;
+    std::vector<FarFace> left = faces;
+    std::array<Index, 2> least = badness(faces);
+    for (int round = 0; round < rounds && !left.empty(); ++round)
     {
       std::vector<Point> places;
-      std::transform(faces.begin(), faces.end(), std::back_inserter(places),
+      std::transform(left.begin(), left.end(), std::back_inserter(places),
         [](const FarFace& face) { return face.place; });
-      if (this->sampler.add(places, samples) == 0)
+      if (this->sampler.add(places, tried) == 0)
       {
         break;
       }
-      isAdded = true;
-      faces = this->farFacesAround(faces, balls, samples, execution);
+      left = this->farFacesAround(left, balls, tried, execution);
+      if (badness(left) < least)
+      {
+        least = badness(left);
+        best = tried;
+      }
     }
-    return isAdded;
-  }
-
-  static bool hasFar(const std::vector<FarFace>& faces, double distance)
-  {
-    return std::any_of(faces.begin(), faces.end(),
-      [distance](const FarFace& face) { return face.distance > distance; });
+    return best;
   }
 
   /// The far faces next to those that were far.
@@ -157,10 +169,10 @@ private:
     {
       points.push_back(samples.points[s]);
     }
-    const auto isElsewhere = [&](const Point& place) {
+    const auto isElsewhere = [&](const Point& place, double spacing) {
       return std::none_of(faces.begin(), faces.end(), [&](const FarFace& face) {
         return (face.place - place).norm() < next * face.spacing;
-      }) || this->sampler.isAtSharpEdge(place);
+      }) || this->isAtSharpEdge(place, spacing);
     };
     return farFaces(made.balls, points, this->tree, most, isElsewhere, execution);
   }

@@ -248,11 +248,9 @@ BoundarySamples BoundarySampler::samples(const Execution& execution) const
   return result;
 }
 
-bool BoundarySampler::isAtSharpEdge(const Point& place) const
+bool BoundarySampler::isAtSharpEdge(const Point& place, double distance) const
 {
-  constexpr double less = 0.7; // of the spacing that was asked for: pairs are closer together
-  return this->implementation->sharpEdges.distance(place) <
-    less * this->implementation->field.at(place);
+  return this->implementation->sharpEdges.distance(place) < distance;
 }
 
 Index BoundarySampler::add(const std::vector<Point>& places, BoundarySamples& samples) const

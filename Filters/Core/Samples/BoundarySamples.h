@@ -60,8 +60,8 @@ public:
   /// @throw Aborted
   void refine(const std::vector<Point>& places, const Execution& execution = {});
 
-  /// Is a place nearer to a sharp edge than samples beside it may be? The crust cuts the edge off there.
-  bool isAtSharpEdge(const Point& place) const;
+  /// Is a place nearer to a sharp edge than a distance?
+  bool isAtSharpEdge(const Point& place, double distance) const;
 
   /// Adds samples to those that were made: the points of the surface nearest to each place, and on the opposite
   /// side of it, where there is no sample yet.
