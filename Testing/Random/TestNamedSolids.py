@@ -23,12 +23,14 @@ class NamedSolids(unittest.TestCase):
             with self.subTest(number):
                 self.assertEqual(self.outcomes(number), {"right"})
 
-    def test_this_is_right_though_doubted(self):
-        self.assertLessEqual(self.outcomes(1892), {"right", "right but not certified"})
+    def test_these_are_right_though_doubted(self):
+        for number in (1892, 2645, 2737, 3982, 3998, 5050, 5266):
+            with self.subTest(number):
+                self.assertLessEqual(self.outcomes(number), {"right", "right but not certified"})
 
     def test_what_these_samples_get_wrong_is_said(self):
         allowed = {"wrong but said", "right but not certified", "right", "fallback said", "balls put back"}
-        for number in (15, 40, 44, 55, 2645, 2737, 3982, 3998, 5050, 5266):
+        for number in (15, 40, 44, 55):
             with self.subTest(number):
                 self.assertLessEqual(self.outcomes(number), allowed)
 

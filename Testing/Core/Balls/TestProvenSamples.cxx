@@ -185,18 +185,23 @@ TEST(ProvenSamples, HaveTheirCrustNearTheSurface)
   EXPECT_TRUE(farOf(made).empty());
 }
 
+/// Few do: samples are added. At one of these spacings they would be too near to others.
 TEST(ProvenSamples, TellWhereTheirCrustStaysFarFromTheSurface)
 {
+  const Solid boxes(twoBoxes(0.1));
   int told = 0;
-  for (const double spacing : { 0.1, 0.13, 0.15 })
+  for (double spacing = 0.06; spacing < 0.2; spacing *= 1.1)
   {
     SCOPED_TRACE(testing::Message() << "spacing " << spacing);
-    const Solid boxes(twoBoxes(0.1));
     SamplingOptions options = withSpacing(spacing, false);
     options.sharpAngle = 180;
     const ProvenSamples made = boxes.samples(options, 4);
-    const auto far =
-      medial::farFaces(boxes.balls(made).balls, made.samples.points, boxes.tree, 0.5);
+    const PolarBallsAndSamples balls = boxes.balls(made);
+    if (balls.powerShape != boxes.surface.measures.betti)
+    {
+      continue;
+    }
+    const auto far = medial::farFaces(balls.balls, made.samples.points, boxes.tree, 0.5);
     ASSERT_EQ(made.warnings.size(), far.empty() ? 0 : 1);
     if (!far.empty())
     {
