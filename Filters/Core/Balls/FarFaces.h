@@ -15,7 +15,7 @@ namespace medial
 /// A face of the power crust that is far from the surface of the solid.
 struct FarFace
 {
-  Point place; ///< on the face
+  Point place;     ///< on the face
   double distance; ///< of the place from the surface, in spacings
   double spacing;  ///< there: the mean distance of the nearest sample from its six nearest
 };

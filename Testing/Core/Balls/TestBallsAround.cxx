@@ -37,9 +37,8 @@ std::set<Named> named(
     {
       ball.first.push_back(numbers[s]);
     }
-    if (std::any_of(ball.first.begin(), ball.first.end(), [&core](Index s) {
-          return std::binary_search(core.begin(), core.end(), s);
-        }))
+    if (std::any_of(ball.first.begin(), ball.first.end(),
+          [&core](Index s) { return std::binary_search(core.begin(), core.end(), s); }))
     {
       result.insert(ball);
     }

@@ -275,7 +275,8 @@ TEST(BoundarySamples, KnowWhatIsAtASharpEdge)
   EXPECT_TRUE(sampler.isAtSharpEdge({ 0.5, 0.02, 0.02 }, 0.03));
   EXPECT_FALSE(sampler.isAtSharpEdge({ 0.5, 0.5, 0 }, 0.49));
   const Solid torus(meshes::torus());
-  EXPECT_FALSE(BoundarySampler(torus.surface, torus.tree, coarse()).isAtSharpEdge({ 2.7, 0, 0 }, 1));
+  EXPECT_FALSE(
+    BoundarySampler(torus.surface, torus.tree, coarse()).isAtSharpEdge({ 2.7, 0, 0 }, 1));
 }
 
 TEST(BoundarySamples, AreTheSameInEachRunAndForAnyThreads)
