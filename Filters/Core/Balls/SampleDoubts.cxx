@@ -174,7 +174,7 @@ Warnings sampleDoubts(const DoubtInput& input, const Execution& execution)
   append(result, emptiness(input.powerShape));
   append(result, proportion(input.powerShape, count(points)));
   append(result, tinyPieces(evidence));
-  append(result, straySamples(evidence, near.nearest));
+  append(result, straySamples(evidence, neighbors, near.nearest));
   append(result, surfaceGaps(evidence, contested));
   append(result, noise(input.distinct, neighbors, execution));
   append(result, floatRounding(input, near.spacings));

@@ -3,6 +3,7 @@
 
 #include "Base/Lists.h"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
@@ -70,7 +71,8 @@ void append(const SampleEvidence& evidence, const StrayKind& kind, Warnings& war
 }
 }
 
-Warnings straySamples(const SampleEvidence& evidence, const std::vector<Index>& nearest)
+Warnings straySamples(
+  const SampleEvidence& evidence, const Neighbors& neighbors, const std::vector<Index>& nearest)
 {
   constexpr double never = 1;
   const double usual = median(evidence.spacings);
@@ -83,6 +85,16 @@ Warnings straySamples(const SampleEvidence& evidence, const std::vector<Index>& 
   };
   const auto isIsolated = [&](Index s) { // where the surface doesn't pass, by less
     return loneliness(s) > (isOnNoBoundary(evidence, s) ? 1.5 : 3);
+  };
+  const auto isLost = [&](Index s) { // at a sharp edge, those on its two faces are not
+    constexpr Index around = 6;
+    const auto isOff = [&](Index other) { return isOnNoBoundary(evidence, other); };
+    if (!isOff(s))
+    {
+      return false;
+    }
+    const std::vector<Index> near = neighbors.nearest(s, around);
+    return std::all_of(near.begin(), near.end(), isOff);
   };
   const std::vector<StrayKind> kinds{
     { "interior_samples",
@@ -97,6 +109,10 @@ Warnings straySamples(const SampleEvidence& evidence, const std::vector<Index>& 
     { "one_sided_samples", [&](Index s) { return isOneSided(evidence, s); }, 0.01, 0.01,
       " samples have the solid on both of their sides or on none. Give points of a closed surface, "
       "evenly spaced in all directions." },
+    { "lost_surface", isLost, 0, 0,
+      " samples, and all around them, have the solid on both of their sides or on none: the "
+      "surface misses a thin part or "
+      "a narrow gap there. Sample it more densely." },
     { "isolated_samples", isIsolated, 0, never,
       " samples are far from all others, measured by the spacing there. Remove outliers, or fill "
       "the "

@@ -302,6 +302,24 @@ TEST(SampleDoubts, AnOpenSurfaceDoubtsTheSolid)
   EXPECT_TRUE(warning(found, "no_inner_balls").doubtsSolid);
 }
 
+/// A leaf, thinner than its samples can show: 25 of more than 2,500 samples.
+TEST(SampleDoubts, SamplesThatTheSurfaceMissesDoubtTheSolid)
+{
+  const std::vector<Point> sphere = shapes::sphere(0.07).samples;
+  std::vector<Point> leaf;
+  for (int i = 0; i < 5; ++i)
+  {
+    for (int k = 0; k < 5; ++k)
+    {
+      leaf.push_back({ 1.2 + 0.07 * i, 0.07 * k, 0.002 * ((i + k) % 2) });
+    }
+  }
+  const Warnings found = warningsOf(joined(sphere, leaf));
+  EXPECT_TRUE(warning(found, "lost_surface").doubtsSolid);
+  EXPECT_GT(warning(found, "lost_surface").place.value_or(Point::Zero()).x(), 1.19);
+  EXPECT_EQ(codes(found).count("one_sided_samples"), 0);
+}
+
 TEST(SampleDoubts, ANeedleSampledTooThinlyAlongItDoubtsTheSolid)
 {
   std::vector<Point> needle = shapes::sphere(0.1).samples;
