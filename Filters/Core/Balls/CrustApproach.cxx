@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <utility>
 
 // Added samples change the balls around them only. So they are tried with these balls, which takes hundredths of a
@@ -39,12 +38,13 @@ public:
     constexpr int rounds = 3;
     std::vector<FarFace> faces =
       farFaces(balls, samples.points, this->tree, most, this->isAtSharpEdge, execution);
-    PolarBalls latest = balls;
+    PolarBalls later;
+    const PolarBalls* latest = &balls;
     for (int round = 0; round < rounds && !faces.empty(); ++round)
     {
       const Execution part =
         execution.between(round / double(rounds), (round + 1) / double(rounds));
-      BoundarySamples more = this->addAround(faces, latest, samples, part);
+      BoundarySamples more = this->addAround(faces, *latest, samples, part.between(0, 0));
       if (more.points.size() == samples.points.size())
       {
         break;
@@ -62,7 +62,8 @@ public:
         break;
       }
       faces = left;
-      latest = std::move(made.balls);
+      later = std::move(made.balls);
+      latest = &later;
       samples = std::move(more);
     }
     faces.erase(std::remove_if(faces.begin(), faces.end(),
@@ -74,6 +75,14 @@ public:
 private:
   static constexpr double wanted = 0.5;        // spacings
   static constexpr double most = 0.9 * wanted; // other places of a face may be a little farther
+
+  static std::vector<Point> placesOf(const std::vector<FarFace>& faces)
+  {
+    std::vector<Point> result(faces.size());
+    std::transform(
+      faces.begin(), faces.end(), result.begin(), [](const FarFace& face) { return face.place; });
+    return result;
+  }
 
   /// How many faces are farther than wanted, and how many nearly are.
   static std::array<Index, 2> badness(const std::vector<FarFace>& faces)
@@ -94,10 +103,7 @@ private:
     std::array<Index, 2> least = badness(faces);
     for (int round = 0; round < rounds && !left.empty(); ++round)
     {
-      std::vector<Point> places;
-      std::transform(left.begin(), left.end(), std::back_inserter(places),
-        [](const FarFace& face) { return face.place; });
-      if (this->sampler.add(places, tried) == 0)
+      if (this->sampler.add(placesOf(left), tried) == 0)
       {
         break;
       }
@@ -132,11 +138,11 @@ private:
     {
       points.push_back(samples.points[s]);
     }
+    const std::vector<Point> places = placesOf(faces);
+    const Neighbors farPlaces(places);
     const auto isElsewhere = [&](const Point& place, double spacing) {
-      return std::none_of(faces.begin(), faces.end(),
-               [&](const FarFace& face) {
-                 return (face.place - place).norm() < next * face.spacing;
-               }) ||
+      const FarFace& nearest = faces[farPlaces.nearest(place, 1).front()];
+      return (nearest.place - place).norm() > next * nearest.spacing ||
         this->isAtSharpEdge(place, spacing);
     };
     return farFaces(made.balls, points, this->tree, most, isElsewhere, execution);
