@@ -2,8 +2,6 @@
 #include "Balls/BallsAround.h"
 
 #include "Base/Frame.h"
-#include "Base/Neighbors.h"
-#include "Base/Triangulations.h"
 
 #include <algorithm>
 
@@ -69,25 +67,23 @@ PolarBalls only(const std::vector<Index>& chosen, const PolarBalls& all)
   PolarBalls result;
   result.samples = all.samples;
   const Frame frame = frameOf(all.samples);
-  std::vector<Ball> weighted;
+  std::vector<Ball> local;
   for (const Index b : chosen)
   {
-    weighted.push_back(jittered(frame.toLocal(all.balls[b]), count(weighted)));
+    local.push_back(frame.toLocal(all.balls[b]));
     result.balls.push_back(all.balls[b]);
     result.sides.push_back(all.sides[b]);
     result.ballSamples.append(all.ballSamples[b]);
   }
-  RegularTriangulation triangulation;
-  triangulation.insert(weighted);
-  result.triangulation = triangulation.tetrahedra();
+  result.triangulation = powerCells(local);
   return result;
 }
 }
 
 BallsAround ballsAround(const std::vector<Index>& core, const PolarBalls& before,
-  const std::vector<Point>& samples, const SurfaceTree& solid, const Execution& execution)
+  const std::vector<Point>& samples, const Neighbors& neighbors, const SurfaceTree& solid,
+  const Execution& execution)
 {
-  const Neighbors neighbors(samples);
   BallsAround result;
   result.samples = coreAndNeighbors(core, before, count(samples));
   const std::vector<Index> farthest = extremes(samples);

@@ -3,6 +3,7 @@
 #define medial_BallsAround_h
 
 #include "Balls/PolarBalls.h"
+#include "Base/Neighbors.h"
 
 #include <vector>
 
@@ -17,12 +18,14 @@ struct BallsAround
 
 /// Makes the balls of a core without those of all samples: from the core, and as many others as it takes
 /// until no other sample is within one of these balls.
-/// @param core    ascending numbers of samples
-/// @param before  balls of the first of the samples: much the same ones, so that few samples have to be found
-/// @param solid   tells the sides
+/// @param core       ascending numbers of samples
+/// @param before     balls of the first of the samples: much the same ones, so that few samples have to be found
+/// @param neighbors  of the samples
+/// @param solid      tells the sides
 /// @throw Aborted
 BallsAround ballsAround(const std::vector<Index>& core, const PolarBalls& before,
-  const std::vector<Point>& samples, const SurfaceTree& solid, const Execution& execution = {});
+  const std::vector<Point>& samples, const Neighbors& neighbors, const SurfaceTree& solid,
+  const Execution& execution = {});
 }
 
 #endif

@@ -132,7 +132,7 @@ private:
       core.insert(core.end(), near.begin(), near.end());
     }
     sortUnique(core);
-    const BallsAround made = ballsAround(core, balls, all, this->tree, execution);
+    const BallsAround made = ballsAround(core, balls, all, neighbors, this->tree, execution);
     std::vector<SurfacePoint> points;
     for (const Index s : made.samples)
     {

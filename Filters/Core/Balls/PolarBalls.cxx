@@ -123,19 +123,6 @@ void measureVolumes(const DelaunaySpheres& spheres, const std::vector<Index>& ba
   }
 }
 
-Tetrahedra powerCells(const std::vector<Ball>& balls, const Execution& execution)
-{
-  std::vector<Ball> weighted;
-  weighted.reserve(balls.size());
-  for (Index b = 0; b < count(balls); ++b)
-  {
-    weighted.push_back(jittered(balls[b], b));
-  }
-  RegularTriangulation triangulation;
-  triangulation.insert(weighted, execution);
-  return triangulation.tetrahedra();
-}
-
 /// Fills innerBall and outerBall. A sample that counts as another one has that one's balls.
 void assignBalls(const DistinctSamples& distinct,
   const std::vector<std::array<Index, 2>>& ballsOfSample, PolarBalls& result)
@@ -238,6 +225,19 @@ void toWorld(const Frame& frame, PolarBalls& balls)
     }
   }
 }
+}
+
+Tetrahedra powerCells(const std::vector<Ball>& balls, const Execution& execution)
+{
+  std::vector<Ball> weighted;
+  weighted.reserve(balls.size());
+  for (Index b = 0; b < count(balls); ++b)
+  {
+    weighted.push_back(jittered(balls[b], b));
+  }
+  RegularTriangulation triangulation;
+  triangulation.insert(weighted, execution);
+  return triangulation.tetrahedra();
 }
 
 PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,

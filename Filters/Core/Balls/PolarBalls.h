@@ -61,6 +61,10 @@ struct PolarBallsAndSamples
   Betti powerShape; ///< Betti numbers of the balls' power shape, which are those of the solid
 };
 
+/// The regular triangulation of balls in one frame, each jittered by its number: the dual of their power diagram.
+/// @throw Aborted
+Tetrahedra powerCells(const std::vector<Ball>& balls, const Execution& execution = {});
+
 /// The polar balls of `samples`, each labelled inner or outer, and a description of the samples.
 ///
 /// @param samples  points of the boundary of a solid, any unit; repeated points count once

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace
@@ -24,19 +25,25 @@ using medial::SurfaceTree;
 /// A ball by its samples, and its side.
 using Named = std::pair<std::vector<Index>, Side>;
 
-/// The balls through the core.
 /// @param numbers  of the balls' samples among all
+Named nameOf(Index ball, const PolarBalls& balls, const std::vector<Index>& numbers)
+{
+  Named result{ {}, balls.sides[ball] };
+  for (const Index s : balls.ballSamples[ball])
+  {
+    result.first.push_back(numbers[s]);
+  }
+  return result;
+}
+
+/// The balls through the core.
 std::set<Named> named(
   const PolarBalls& balls, const std::vector<Index>& numbers, const std::vector<Index>& core)
 {
   std::set<Named> result;
   for (Index b = 0; b < medial::count(balls.balls); ++b)
   {
-    Named ball{ {}, balls.sides[b] };
-    for (const Index s : balls.ballSamples[b])
-    {
-      ball.first.push_back(numbers[s]);
-    }
+    const Named ball = nameOf(b, balls, numbers);
     if (std::any_of(ball.first.begin(), ball.first.end(),
           [&core](Index s) { return std::binary_search(core.begin(), core.end(), s); }))
     {
@@ -59,13 +66,7 @@ std::set<Named> polesOf(
       {
         if (b != medial::None)
         {
-          const auto own = balls.ballSamples[b];
-          Named ball{ {}, balls.sides[b] };
-          for (const Index other : own)
-          {
-            ball.first.push_back(numbers[other]);
-          }
-          result.insert(ball);
+          result.insert(nameOf(b, balls, numbers));
         }
       }
     }
@@ -96,7 +97,7 @@ void expectAsAmongAll(const meshes::Mesh& mesh, double spacing)
     // Knows of none of the balls, and of all.
     for (const PolarBalls& before : { PolarBalls(), all })
     {
-      const BallsAround made = medial::ballsAround(core, before, samples, tree);
+      const BallsAround made = medial::ballsAround(core, before, samples, neighbors, tree);
       EXPECT_LT(made.samples.size(), samples.size());
       const std::set<Named> found = named(made.balls, made.samples, core);
       const std::set<Named> poles = polesOf(all, numbers, core);
