@@ -113,7 +113,7 @@ std::string warnings(vtkSimplifyShape* simplify)
 
 std::string balls(vtkSimplifyShape* simplify)
 {
-  vtkDataObject* output = simplify->GetPolarBalls()->GetOutput();
+  vtkDataObject* output = simplify->GetBalls();
   return inBraces({
     { "inner", number(fieldValue(output, "NumberOfInnerBalls")) },
     { "outer", number(fieldValue(output, "NumberOfOuterBalls")) },
@@ -126,7 +126,7 @@ std::string balls(vtkSimplifyShape* simplify)
 /// Were the triangles of the input sampled?
 bool isSampled(vtkSimplifyShape* simplify)
 {
-  return simplify->GetPolarBalls()->GetOutput()->GetFieldData()->HasArray("BettiSolid");
+  return simplify->GetBalls()->GetFieldData()->HasArray("BettiSolid");
 }
 
 /// The polygons of the input, or of the surface of the solid in an image.
@@ -173,7 +173,7 @@ std::string image(vtkSimplifyShape* simplify, const Input& input)
 /// What was taken from a scan.
 std::string cleaning(vtkSimplifyShape* simplify)
 {
-  vtkDataObject* balls = simplify->GetPolarBalls()->GetOutput();
+  vtkDataObject* balls = simplify->GetBalls();
   if (!balls->GetFieldData()->HasArray("NoiseBefore"))
   {
     return "null";
@@ -195,7 +195,7 @@ std::string sampling(vtkSimplifyShape* simplify, const Input& input)
   {
     return "null";
   }
-  vtkDataObject* samples = simplify->GetPolarBalls()->GetOutput();
+  vtkDataObject* samples = simplify->GetBalls();
   return inBraces({
     { "polygons", number(polygonCount(simplify, input)) },
     { "volume", number(fieldValue(samples, "SolidVolume")) },
@@ -213,9 +213,7 @@ std::string betti(vtkSimplifyShape* simplify, const Input& input)
     { "segmentation",
       input.image ? bettiList(simplify->GetImageBoundary()->GetOutput(), "BettiSegmentation")
                   : "null" },
-    { "solid",
-      isSampled(simplify) ? bettiList(simplify->GetPolarBalls()->GetOutput(), "BettiSolid")
-                          : "null" },
+    { "solid", isSampled(simplify) ? bettiList(simplify->GetBalls(), "BettiSolid") : "null" },
     { "powerShape", bettiList(simplify->GetMedialAxis()->GetOutput(), "BettiPowerShape") },
     { "axis", bettiList(simplify->GetMedialAxis()->GetOutput(), "BettiAxis") },
     { "pruned", bettiList(simplify->GetMedialPrune()->GetOutput(), "BettiAxis") },
@@ -286,8 +284,7 @@ std::string bettiLine(vtkSimplifyShape* simplify)
   std::string line = "  Betti     ";
   if (isSampled(simplify))
   {
-    line += "solid " +
-      joined(bettiNumbers(simplify->GetPolarBalls()->GetOutput(), "BettiSolid"), " ") + ", ";
+    line += "solid " + joined(bettiNumbers(simplify->GetBalls(), "BettiSolid"), " ") + ", ";
   }
   line += "power shape " + joined(bettiNumbers(axis, "BettiPowerShape"), " ");
   line += ", axis " + joined(bettiNumbers(axis, "BettiAxis"), " ");
@@ -324,7 +321,7 @@ std::string warningLines(vtkSimplifyShape* simplify)
 std::string report(
   vtkSimplifyShape* simplify, const Input& input, const Progress& progress, double total)
 {
-  vtkDataObject* samples = simplify->GetPolarBalls()->GetOutput();
+  vtkDataObject* samples = simplify->GetBalls();
   return "{\n  " +
     object(
       {
@@ -366,7 +363,7 @@ std::string report(
 std::string summary(
   vtkSimplifyShape* simplify, const Input& input, const Arguments& arguments, double total)
 {
-  vtkDataObject* samples = simplify->GetPolarBalls()->GetOutput();
+  vtkDataObject* samples = simplify->GetBalls();
   std::ostringstream out;
   out << arguments.input << ": " << grouped(fieldValue(samples, "NumberOfSamples")) << " samples"
       << (isSampled(simplify) ? " on " + grouped(polygonCount(simplify, input)) + " polygons" : "")

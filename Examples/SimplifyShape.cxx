@@ -170,9 +170,8 @@ void write(vtkDataObject* data, const std::string& name, OutputFolder& folder)
 
 void writeData(vtkSimplifyShape* simplify, OutputFolder& folder)
 {
-  write<vtkXMLUnstructuredGridWriter>(simplify->GetPolarBalls()->GetOutput(), "balls.vtu", folder);
-  write<vtkXMLPolyDataWriter>(
-    simplify->GetPolarBalls()->GetOutputDataObject(1), "samples.vtp", folder);
+  write<vtkXMLUnstructuredGridWriter>(simplify->GetBalls(), "balls.vtu", folder);
+  write<vtkXMLPolyDataWriter>(simplify->GetSamples(), "samples.vtp", folder);
   write<vtkXMLPolyDataWriter>(simplify->GetMedialAxis()->GetOutput(), "axis.vtp", folder);
   write<vtkXMLPolyDataWriter>(
     simplify->GetUnprunedPartDecomposition()->GetOutput(), "parts.vtp", folder);
@@ -195,7 +194,7 @@ Captions captionsOf(vtkSimplifyShape* simplify)
     const double count = fieldValue(axis, "NumberOfParts");
     return grouped(count) + (count == 1 ? " part" : " parts");
   };
-  const double samples = fieldValue(simplify->GetPolarBalls()->GetOutput(), "NumberOfSamples");
+  const double samples = fieldValue(simplify->GetBalls(), "NumberOfSamples");
   return { grouped(samples) + " samples", "medial axis",
     parts(simplify->GetUnprunedPartDecomposition()->GetOutput()),
     "pruned to " + parts(simplify->GetMedialPrune()->GetOutput()), "simplified surface" };

@@ -2,7 +2,9 @@
 #include "vtkBoundarySamples.h"
 
 #include "Balls/ProvenSamples.h"
+#include "Conversion/ArrayNames.h"
 #include "Conversion/Arrays.h"
+#include "Conversion/Balls.h"
 #include "Conversion/Surface.h"
 #include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
@@ -11,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <optional>
@@ -20,12 +23,18 @@ medialAbortMacro(vtkBoundarySamples);
 
 vtkBoundarySamples::vtkBoundarySamples()
 {
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(4);
 }
 
 int vtkBoundarySamples::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+int vtkBoundarySamples::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkUnstructuredGrid" : "vtkPolyData");
   return 1;
 }
 
@@ -41,6 +50,8 @@ int vtkBoundarySamples::RequestData(
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
   vtkPolyData* samples = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* closed = vtkPolyData::GetData(outputVector, 1);
+  vtkUnstructuredGrid* balls = vtkUnstructuredGrid::GetData(outputVector, 2);
+  vtkPolyData* known = vtkPolyData::GetData(outputVector, 3);
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::ClosedSurface surface = medial::readSurface(input,
@@ -56,6 +67,9 @@ int vtkBoundarySamples::RequestData(
       medial::write(made, surface, input, samples, closed);
       medial::reportWarnings(this, surface.warnings, { samples, closed });
       medial::reportWarnings(this, made.warnings, { samples, closed });
+      medial::write(made.balls, samples, balls, known);
+      medial::addBetti(balls->GetFieldData(), medial::names::BettiSolid, surface.measures.betti);
+      medial::reportWarnings(this, made.balls.samples.warnings, { balls, known });
     });
 }
 

@@ -16,7 +16,7 @@
  *
  * Polygons that bound no solid are refused, or with Wrap the closed surface around them is sampled.
  *
- * Output 0: vtkPolyData, the samples, a vertex cell each. The input of vtkPolarBalls.
+ * Output 0: vtkPolyData, the samples, a vertex cell each.
  *
  * Point data
  *  - `Normals` (float, 3 components): of the surface there, outwards.
@@ -26,9 +26,13 @@
  *    strip counts.
  *
  * Output 1: vtkPolyData, the closed surface as it was used: triangles, counter-clockwise seen from
- * outside. The input *Solid* of vtkPolarBalls. Cell data: `SourceCell`, as above.
+ * outside. Cell data: `SourceCell`, as above.
  *
- * Field data of both outputs, single values; later filters pass them on
+ * Outputs 2 and 3: the polar balls of the samples (vtkUnstructuredGrid, the input of vtkMedialAxis), and the samples
+ * with what is known about them (vtkPolyData). They were made to compare the samples with the solid. vtkPolarBalls
+ * makes the same ones of outputs 0 and 1 and describes their arrays.
+ *
+ * Field data of the outputs, single values; later filters pass them on
  *  - `BettiSolid` (vtkIdType, 3 components): pieces, tunnels and voids of the solid, from the surface's
  *    pieces and their genus. vtkPowerCrust certifies only what has the same.
  *  - `SolidVolume`, `SolidArea` (double): of the surface.
@@ -45,7 +49,7 @@
  * that intersect; a coordinate that is not finite) leaves the outputs empty and sets the error code. Under
  * MPI the piece 0 holds everything.
  *
- * @sa vtkPolarBalls vtkSimplifyShape
+ * @sa vtkPolarBalls vtkMedialAxis vtkSimplifyShape
  */
 
 #ifndef vtkBoundarySamples_h
@@ -110,8 +114,8 @@ public:
   ///@{
   /**
    * How often samples are made denser at most. After each round, the power shape of their balls is
-   * compared with the solid; where they contradict each other the spacing is halved. 0: they are not
-   * compared. Default 4.
+   * compared with the solid; where they contradict each other the spacing is halved. 0: the balls are made, but
+   * not compared. Default 4.
    */
   vtkSetClampMacro(MaximumRounds, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumRounds, int);
@@ -161,6 +165,7 @@ protected:
   ~vtkBoundarySamples() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

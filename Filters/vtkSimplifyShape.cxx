@@ -168,6 +168,24 @@ vtkPolarBalls* vtkSimplifyShape::GetPolarBalls()
   return this->Balls;
 }
 
+bool vtkSimplifyShape::TakesSamples()
+{
+  return this->Axis->GetInputAlgorithm() == this->Boundary;
+}
+
+vtkUnstructuredGrid* vtkSimplifyShape::GetBalls()
+{
+  return this->TakesSamples()
+    ? vtkUnstructuredGrid::SafeDownCast(this->Boundary->GetOutputDataObject(2))
+    : this->Balls->GetOutput();
+}
+
+vtkPolyData* vtkSimplifyShape::GetSamples()
+{
+  return this->TakesSamples() ? this->Boundary->GetOutput(3)
+                              : vtkPolyData::SafeDownCast(this->Balls->GetOutputDataObject(1));
+}
+
 vtkMedialAxis* vtkSimplifyShape::GetMedialAxis()
 {
   return this->Axis;
@@ -270,7 +288,7 @@ void vtkSimplifyShape::SetInput(vtkPointSet* input)
   }
 }
 
-/// Makes the balls of the points of the input.
+/// The points of the input are the samples.
 /// @param notSolid  why its polygons are not sampled, if that is to be told
 void vtkSimplifyShape::TakePoints(vtkPointSet* input, const std::string& notSolid)
 {
@@ -282,47 +300,45 @@ void vtkSimplifyShape::TakePoints(vtkPointSet* input, const std::string& notSoli
     this->Points->SetOutput(points);
     this->NotSolid = notSolid;
   }
-  if (this->Balls->GetNumberOfInputConnections(1) > 0)
-  {
-    this->Balls->SetSolidConnection(nullptr);
-    this->Balls->SetInputConnection(this->Points->GetOutputPort());
-  }
+  this->TakeBalls(this->Balls->GetOutputPort());
 }
 
-/// Makes the balls of the samples of the polygons.
-void vtkSimplifyShape::TakeSamples()
+void vtkSimplifyShape::TakeBalls(vtkAlgorithmOutput* balls)
 {
-  if (this->Balls->GetNumberOfInputConnections(1) == 0)
+  if (this->Axis->GetInputConnection(0, 0) != balls)
   {
-    this->Balls->SetInputConnection(this->Boundary->GetOutputPort(0));
-    this->Balls->SetSolidConnection(this->Boundary->GetOutputPort(1));
+    this->Axis->SetInputConnection(balls);
+    this->Crust->SetInputConnection(balls);
+    this->UnprunedCrust->SetInputConnection(balls);
   }
 }
 
-/// Samples the polygons of the input, or takes its points.
+/// Makes the balls of samples of the polygons of the input, or of its points.
 void vtkSimplifyShape::ReadSource(vtkPointSet* input, const medial::Execution& execution)
 {
   this->SetInput(input);
   const bool hasPolygons = this->UseTriangles == ON || medial::readPolygons(input).size() > 0;
-  if (this->UseTriangles == OFF || !hasPolygons)
+  std::string notSolid;
+  if (this->UseTriangles != OFF && hasPolygons)
   {
-    this->TakePoints(input, "");
-    return;
-  }
-  try
-  {
-    medial::runStages(this, { { this->Boundary, 1 } }, execution);
-    this->TakeSamples();
-  }
-  catch (const medial::InvalidInput& error)
-  {
-    if (this->UseTriangles == ON)
+    try
     {
-      throw;
+      medial::runStages(this, { { this->Boundary, 1 } }, execution);
+      this->TakeBalls(this->Boundary->GetOutputPort(2));
+      return;
     }
-    vtkWarningMacro(<< medial::notASolid(error.what(), 0).text);
-    this->TakePoints(input, error.what());
+    catch (const medial::InvalidInput& error)
+    {
+      if (this->UseTriangles == ON)
+      {
+        throw;
+      }
+      notSolid = error.what();
+      vtkWarningMacro(<< medial::notASolid(notSolid, 0).text);
+    }
   }
+  this->TakePoints(input, notSolid);
+  medial::runStages(this, { { this->Balls, 1 } }, execution);
 }
 
 int vtkSimplifyShape::RequestData(
@@ -331,16 +347,15 @@ int vtkSimplifyShape::RequestData(
   using Stages = std::vector<medial::Stage>;
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   const Stages stages = this->MakeUnpruned
-    ? Stages{ { this->Balls, 0.3 }, { this->Axis, 0.3 }, { this->UnprunedParts, 0.05 },
-        { this->Prune, 0.1 }, { this->Parts, 0.05 }, { this->UnprunedCrust, 0.1, false },
-        { this->Crust, 0.1 } }
-    : Stages{ { this->Balls, 0.3 }, { this->Axis, 0.4 }, { this->Prune, 0.1 },
-        { this->Parts, 0.05 }, { this->Crust, 0.15 } };
+    ? Stages{ { this->Axis, 0.45 }, { this->UnprunedParts, 0.05 }, { this->Prune, 0.15 },
+        { this->Parts, 0.05 }, { this->UnprunedCrust, 0.15, false }, { this->Crust, 0.15 } }
+    : Stages{ { this->Axis, 0.5 }, { this->Prune, 0.15 }, { this->Parts, 0.05 },
+        { this->Crust, 0.3 } };
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       vtkPointSet* mesh = this->MeshOf(input, execution.between(0, 0.02));
-      this->ReadSource(mesh, execution.between(0.02, 0.2));
-      medial::runStages(this, stages, execution.between(0.2, 1));
+      this->ReadSource(mesh, execution.between(0.02, 0.4));
+      medial::runStages(this, stages, execution.between(0.4, 1));
       vtkDataObject::GetData(outputVector, 0)->ShallowCopy(this->Crust->GetOutput());
       vtkDataObject::GetData(outputVector, 1)->ShallowCopy(this->Parts->GetOutput());
       vtkDataObject::GetData(outputVector, 2)->ShallowCopy(this->Parts->GetOutputDataObject(1));

@@ -55,6 +55,7 @@ class vtkPolarBalls;
 class vtkPointSet;
 class vtkPowerCrust;
 class vtkTrivialProducer;
+class vtkUnstructuredGrid;
 
 class VTKFILTERSMEDIAL_EXPORT vtkSimplifyShape : public vtkPolyDataAlgorithm
 {
@@ -117,8 +118,8 @@ public:
 
   ///@{
   /**
-   * Samples within this distance of each other count as one where they stand apart from all others; in
-   * the unit of the samples. Negative: what rounding of the input explains. See vtkPolarBalls. Default
+   * Points within this distance of each other count as one where they stand apart from all others, if the
+   * points are the samples; in their unit. Negative: what rounding of the input explains. See vtkPolarBalls. Default
    * -1.
    */
   void SetMergeTolerance(double tolerance);
@@ -164,9 +165,10 @@ public:
    * The stages, in the order in which they run: to set their other properties and, after an update, to
    * read their outputs. Their inputs are connected already; update this filter, not the stages.
    */
-  vtkImageBoundary* GetImageBoundary();     ///< runs where the input is an image
-  vtkBoundarySamples* GetBoundarySamples(); ///< runs where polygons are sampled
-  vtkPolarBalls* GetPolarBalls();
+  vtkImageBoundary* GetImageBoundary(); ///< runs where the input is an image
+  vtkBoundarySamples*
+  GetBoundarySamples();           ///< runs where polygons are sampled; makes their balls, too
+  vtkPolarBalls* GetPolarBalls(); ///< runs where the points are the samples
   vtkMedialAxis* GetMedialAxis();
   vtkMedialPrune* GetMedialPrune();
   vtkMedialPartDecomposition* GetMedialPartDecomposition(); ///< of the pruned axis
@@ -180,6 +182,15 @@ public:
    */
   vtkMedialPartDecomposition* GetUnprunedPartDecomposition();
   vtkPowerCrust* GetUnprunedPowerCrust();
+  ///@}
+
+  ///@{
+  /**
+   * The polar balls of the latest update, and its samples, as vtkPolarBalls describes them: the outputs of the stage
+   * that made them.
+   */
+  vtkUnstructuredGrid* GetBalls();
+  vtkPolyData* GetSamples();
   ///@}
 
   /**
@@ -210,7 +221,8 @@ private:
   vtkPointSet* MeshOf(vtkDataObject* input, const medial::Execution& execution);
   void SetInput(vtkPointSet* input);
   void TakePoints(vtkPointSet* input, const std::string& notSolid);
-  void TakeSamples();
+  void TakeBalls(vtkAlgorithmOutput* balls);
+  bool TakesSamples();
   void ReadSource(vtkPointSet* input, const medial::Execution& execution);
 
   int UseTriangles = AUTO;

@@ -3,6 +3,7 @@
 
 #include "FilterTest.h"
 #include "Meshes.h"
+#include "vtkPolarBalls.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
@@ -41,6 +42,17 @@ vtkSmartPointer<vtkPolyData> dataOf(const Mesh& mesh)
   vtkSmartPointer<vtkPolyData> result = filterTest::cloud(mesh.points);
   result->SetPolys(cells);
   return result;
+}
+
+/// Outputs 2 and 3.
+void expectBallsOfPolarBalls(vtkBoundarySamples* filter)
+{
+  vtkNew<vtkPolarBalls> balls;
+  balls->SetInputConnection(filter->GetOutputPort(0));
+  balls->SetSolidConnection(filter->GetOutputPort(1));
+  balls->Update();
+  EXPECT_TRUE(same(filter->GetOutputDataObject(2), balls->GetOutput()));
+  EXPECT_TRUE(same(filter->GetOutputDataObject(3), balls->GetOutputDataObject(1)));
 }
 
 /// Few samples of a mesh.
@@ -100,6 +112,22 @@ TEST(BoundarySamples, HaveTheArraysOfTheirHeader)
   }
   EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetScalars()->GetName(), "Spacing");
   EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetNormals()->GetName(), "Normals");
+}
+
+TEST(BoundarySamples, HaveTheBallsThatPolarBallsMakes)
+{
+  const auto filter = filterOf(meshes::iBeam(4), 0.3);
+  filter->Update();
+  expectBallsOfPolarBalls(filter);
+  filter->SetMaximumRounds(0);
+  filter->Update();
+  expectBallsOfPolarBalls(filter);
+  const auto few = filterOf(meshes::drilledPlate(0.02), 0.5); // with warnings
+  few->AdaptiveOff();
+  few->SetMaximumRounds(1);
+  few->Update();
+  EXPECT_EQ(text(few->GetOutputDataObject(2), "WarningCode"), "too_few_samples");
+  expectBallsOfPolarBalls(few);
 }
 
 TEST(BoundarySamples, TellWhatTheSolidMeasures)

@@ -18,11 +18,9 @@ namespace
 class CrustApproach
 {
 public:
-  CrustApproach(
-    const SurfaceTree& theTree, const BoundarySampler& theSampler, const Betti& theSolid)
+  CrustApproach(const SurfaceTree& theTree, const BoundarySampler& theSampler)
     : tree(theTree)
     , sampler(theSampler)
-    , solid(theSolid)
     , isAtSharpEdge([&theSampler](const Point& place, double spacing) {
       // The crust cuts the edge off there.
       return theSampler.isAtSharpEdge(place, spacing);
@@ -30,40 +28,34 @@ public:
   {
   }
 
-  /// @param samples  more are added, see bringCrustNear()
-  /// @return  the faces that stay far
+  /// See bringCrustNear().
   std::vector<FarFace> improve(
-    const PolarBalls& balls, BoundarySamples& samples, const Execution& execution) const
+    PolarBallsAndSamples& made, BoundarySamples& samples, const Execution& execution) const
   {
     constexpr int rounds = 3;
-    std::vector<FarFace> faces =
-      farFaces(balls, samples.points, this->tree, most, this->isAtSharpEdge, execution);
-    PolarBalls later;
-    const PolarBalls* latest = &balls;
-    for (int round = 0; round < rounds && !faces.empty(); ++round)
+    std::vector<FarFace> faces = this->farFacesOf(made, samples, execution);
+    for (int round = 0; round < rounds && badness(faces)[0] > 0; ++round)
     {
       const Execution part =
         execution.between(round / double(rounds), (round + 1) / double(rounds));
-      BoundarySamples more = this->addAround(faces, *latest, samples, part.between(0, 0));
+      BoundarySamples more = this->addAround(faces, made.balls, samples, part.between(0, 0));
       if (more.points.size() == samples.points.size())
       {
         break;
       }
-      PolarBallsAndSamples made =
+      PolarBallsAndSamples later =
         polarBallsAndSamples(positions(more.points), {}, part, &this->tree);
-      if (made.powerShape != this->solid)
+      if (later.powerShape != made.powerShape)
       {
         break;
       }
-      const std::vector<FarFace> left =
-        farFaces(made.balls, more.points, this->tree, most, this->isAtSharpEdge, part);
+      std::vector<FarFace> left = this->farFacesOf(later, more, part);
       if (badness(left) >= badness(faces))
       {
         break;
       }
-      faces = left;
-      later = std::move(made.balls);
-      latest = &later;
+      faces = std::move(left);
+      made = std::move(later);
       samples = std::move(more);
     }
     faces.erase(std::remove_if(faces.begin(), faces.end(),
@@ -75,6 +67,12 @@ public:
 private:
   static constexpr double wanted = 0.5;        // spacings
   static constexpr double most = 0.9 * wanted; // other places of a face may be a little farther
+
+  std::vector<FarFace> farFacesOf(const PolarBallsAndSamples& made, const BoundarySamples& samples,
+    const Execution& execution) const
+  {
+    return farFaces(made.balls, samples.points, this->tree, most, this->isAtSharpEdge, execution);
+  }
 
   static std::vector<Point> placesOf(const std::vector<FarFace>& faces)
   {
@@ -150,14 +148,13 @@ private:
 
   const SurfaceTree& tree;
   const BoundarySampler& sampler;
-  Betti solid;
   PlaceTest isAtSharpEdge;
 };
 }
 
 std::vector<FarFace> bringCrustNear(const SurfaceTree& tree, const BoundarySampler& sampler,
-  const Betti& solid, const PolarBalls& balls, BoundarySamples& samples, const Execution& execution)
+  PolarBallsAndSamples& made, BoundarySamples& samples, const Execution& execution)
 {
-  return CrustApproach(tree, sampler, solid).improve(balls, samples, execution);
+  return CrustApproach(tree, sampler).improve(made, samples, execution);
 }
 }

@@ -14,13 +14,11 @@ namespace medial
 /// are kept if the balls still have the topology of the solid, and fewer such places.
 /// @param tree     of the surface
 /// @param sampler  made the samples
-/// @param solid    its Betti numbers
-/// @param balls    of the samples before; they have these Betti numbers
+/// @param made     the balls of the samples, with the topology of the solid, before and after
 /// @return  the faces that stay farther
 /// @throw Aborted
 std::vector<FarFace> bringCrustNear(const SurfaceTree& tree, const BoundarySampler& sampler,
-  const Betti& solid, const PolarBalls& balls, BoundarySamples& samples,
-  const Execution& execution = {});
+  PolarBallsAndSamples& made, BoundarySamples& samples, const Execution& execution = {});
 }
 
 #endif

@@ -47,18 +47,37 @@ std::vector<EdgeCell> oddEdges(const PolarBalls& balls)
   return result;
 }
 
+/// Mean distance of each sample from its six nearest.
+std::vector<double> spacingsOf(
+  const std::vector<Point>& samples, const Neighbors& neighbors, const Execution& execution)
+{
+  std::vector<double> result(samples.size());
+  execution.forEach(count(samples), [&](Index s) {
+    const std::vector<Index> near = neighbors.nearest(s, 6);
+    double sum = 0;
+    for (const Index other : near)
+    {
+      sum += (samples[other] - samples[s]).norm();
+    }
+    result[s] = sum / count(near);
+  });
+  return result;
+}
+
 /// Measures how far places are from the surface.
 class Distances
 {
 public:
   Distances(const PolarBalls& theBalls, const std::vector<SurfacePoint>& theSamples,
-    const SurfaceTree& theSolid, double theMost, const PlaceTest& theLeftOut)
+    const SurfaceTree& theSolid, double theMost, const PlaceTest& theLeftOut,
+    const Execution& execution)
     : balls(theBalls)
     , samples(theSamples)
     , solid(theSolid)
     , most(theMost)
     , isLeftOut(theLeftOut)
     , neighbors(theBalls.samples)
+    , spacings(spacingsOf(theBalls.samples, this->neighbors, execution))
     , frame(frameOf(theBalls.samples))
   {
   }
@@ -74,13 +93,18 @@ public:
       middle += corners.back() / count(cells);
     }
     const std::vector<Index> around = this->samplesOf(edge);
-    const double spacing = this->spacingAt(this->neighbors.nearest(middle, 1).front());
-    std::optional<FarFace> result = this->farPlace(middle, around, spacing);
+    const Index nearest = *std::min_element(around.begin(), around.end(), [&](Index a, Index b) {
+      return this->squaredDistance(middle, a) < this->squaredDistance(middle, b);
+    });
+    // Samples and their triangles tell of most places that they are near enough, at less cost.
+    constexpr double less = 0.6; // so much at least is the spacing at the place itself
+    const double enough = less * this->most * this->spacings[nearest];
+    std::optional<FarFace> result = this->farPlace(middle, around, enough);
     for (const Point& corner : corners)
     {
       for (const double t : { 1.0 / 3, 2.0 / 3, 1.0 })
       {
-        const auto far = this->farPlace((1 - t) * middle + t * corner, around, spacing);
+        const auto far = this->farPlace((1 - t) * middle + t * corner, around, enough);
         if (far && (!result || far->distance > result->distance))
         {
           result = far;
@@ -114,35 +138,32 @@ private:
     return result;
   }
 
-  /// @param spacing  about there
-  std::optional<FarFace> farPlace(
-    const Point& place, const std::vector<Index>& around, double spacing) const
+  double squaredDistance(const Point& place, Index sample) const
   {
-    // Triangles of the samples tell of most places that they are near enough, at less cost.
-    constexpr double less = 0.6; // so much at least is the spacing at the place itself
-    const double enough = less * this->most * spacing;
-    if (std::any_of(around.begin(), around.end(),
-          [&](Index s) { return this->solid.distance(place, this->samples[s].triangle) < enough; }))
+    return (this->balls.samples[sample] - place).squaredNorm();
+  }
+
+  bool isNear(const Point& place, const std::vector<Index>& around, double enough) const
+  {
+    return std::any_of(around.begin(), around.end(),
+             [&](Index s) { return this->squaredDistance(place, s) < enough * enough; }) ||
+      std::any_of(around.begin(), around.end(),
+        [&](Index s) { return this->solid.distance(place, this->samples[s].triangle) < enough; });
+  }
+
+  /// @param enough  nearer is near enough by the samples around
+  std::optional<FarFace> farPlace(
+    const Point& place, const std::vector<Index>& around, double enough) const
+  {
+    if (this->isNear(place, around, enough))
     {
       return {};
     }
-    const Index nearest = this->neighbors.nearest(place, 1).front();
-    const double here = this->spacingAt(nearest);
+    const double here = this->spacings[this->neighbors.nearest(place, 1).front()];
     const double distance = (this->solid.nearest(place).point - place).norm() / here;
     return distance > this->most && !(this->isLeftOut && this->isLeftOut(place, here))
       ? FarFace{ place, distance, here }
       : std::optional<FarFace>();
-  }
-
-  double spacingAt(Index sample) const
-  {
-    const std::vector<Index> near = this->neighbors.nearest(sample, 6);
-    double sum = 0;
-    for (const Index other : near)
-    {
-      sum += (this->balls.samples[other] - this->balls.samples[sample]).norm();
-    }
-    return sum / count(near);
   }
 
   const PolarBalls& balls;
@@ -151,6 +172,7 @@ private:
   double most;
   const PlaceTest& isLeftOut;
   Neighbors neighbors;
+  std::vector<double> spacings; ///< at the samples
   Frame frame;
 };
 }
@@ -168,7 +190,7 @@ std::vector<FarFace> farFaces(const PolarBalls& balls, const std::vector<Surface
     }
     faces.back().second.push_back(cell);
   }
-  const Distances distances(balls, samples, solid, most, isLeftOut);
+  const Distances distances(balls, samples, solid, most, isLeftOut, execution);
   std::vector<std::optional<FarFace>> far(faces.size());
   execution.forEach(
     count(faces), [&](Index f) { far[f] = distances.farthest(faces[f].first, faces[f].second); });

@@ -49,8 +49,8 @@ Warning notEnough(const Betti& made, const Betti& solid, const std::vector<Cross
   return { "too_few_samples",
     text("The samples give ", inWords(made), ", but the surface has ", inWords(solid), ", and in ",
       places.size(), places.size() == 1 ? " place" : " places",
-      " they don't keep inside and outside apart. Take a smaller fineness, or mend the surface "
-      "there."),
+      " they don't keep inside and outside apart. Take a smaller spacing or fineness, or mend the "
+      "surface there."),
     count(places), places.empty() ? std::optional<Point>() : places.front().place, true };
 }
 }
@@ -62,17 +62,23 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
   ProvenSamples result;
   result.samples = sampler.samples(execution.between(0.3, 0.4));
   result.warnings = result.samples.warnings;
+  const auto makeBalls = [&](const Execution& part) {
+    result.balls = polarBallsAndSamples(positions(result.samples.points), {}, part, &tree);
+  };
   double done = 0.4;
+  if (rounds == 0)
+  {
+    makeBalls(execution.between(done, 1));
+  }
   while (rounds > 0)
   {
     const double half = done + (1 - done) / 2;
-    const PolarBallsAndSamples made = polarBallsAndSamples(
-      positions(result.samples.points), {}, execution.between(done, half), &tree);
-    if (made.powerShape == surface.measures.betti)
+    makeBalls(execution.between(done, half));
+    if (result.balls.powerShape == surface.measures.betti)
     {
       const Index before = count(result.samples.points);
-      const std::vector<FarFace> far = bringCrustNear(tree, sampler, surface.measures.betti,
-        made.balls, result.samples, execution.between(half, 1));
+      const std::vector<FarFace> far =
+        bringCrustNear(tree, sampler, result.balls, result.samples, execution.between(half, 1));
       result.added = count(result.samples.points) - before;
       if (!far.empty())
       {
@@ -80,16 +86,16 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
       }
       break;
     }
-    const std::vector<Crossing> places = crossings(made.balls, tree);
+    const std::vector<Crossing> places = crossings(result.balls.balls, tree);
     if (result.rounds == rounds || places.empty())
     {
-      result.warnings.push_back(notEnough(made.powerShape, surface.measures.betti, places));
+      result.warnings.push_back(notEnough(result.balls.powerShape, surface.measures.betti, places));
       break;
     }
     ++result.rounds;
     done = half + (1 - half) / 4;
     const double between = (half + done) / 2;
-    sampler.refine(tooFarApart(places, made.balls), execution.between(half, between));
+    sampler.refine(tooFarApart(places, result.balls.balls), execution.between(half, between));
     result.samples = sampler.samples(execution.between(between, done));
     result.warnings = result.samples.warnings;
   }

@@ -35,41 +35,11 @@ private:
   std::uint64_t state;
 };
 
-/// Areas of a triangle in which the spacing hardly changes.
-template <typename Body>
-void forEachPiece(
-  const std::array<Point, 3>& corners, const SpacingField& spacing, const Body& body)
+double expectedSamples(const SurfacePiece& piece)
 {
-  std::vector<std::array<Point, 3>> open{ corners };
-  while (!open.empty())
-  {
-    const std::array<Point, 3> piece = open.back();
-    open.pop_back();
-    const double here = spacing.at((piece[0] + piece[1] + piece[2]) / 3);
-    int longest = 0;
-    double length = 0;
-    for (int k = 0; k < 3; ++k)
-    {
-      const double side = (piece[(k + 1) % 3] - piece[k]).norm();
-      longest = side > length ? k : longest;
-      length = std::max(length, side);
-    }
-    constexpr double wide = 3; // spacings: it grows by less than itself over that
-    if (length <= wide * here)
-    {
-      body(piece, here);
-      continue;
-    }
-    const Point middle = (piece[longest] + piece[(longest + 1) % 3]) / 2;
-    const Point& apex = piece[(longest + 2) % 3];
-    open.push_back({ piece[longest], middle, apex });
-    open.push_back({ middle, piece[(longest + 1) % 3], apex });
-  }
-}
-
-double areaOf(const std::array<Point, 3>& t)
-{
-  return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2;
+  const auto& [a, b, c] = piece.corners;
+  const double area = (b - a).cross(c - a).norm() / 2;
+  return samplesPerSquare * area / (piece.spacing * piece.spacing);
 }
 
 std::array<Point, 3> cornersOf(const TriangleSet& surface, Index t)
@@ -85,50 +55,79 @@ struct Candidate
   double spacing;
 };
 
-/// The candidates of one triangle.
-std::vector<Candidate> candidatesOf(
-  const TriangleSet& surface, Index t, const SpacingField& spacing)
+/// The candidates of a piece.
+/// @param random  of its triangle
+void addCandidates(
+  const SurfacePiece& piece, const Point& normal, Random& random, std::vector<Candidate>& result)
 {
   constexpr double each = 8; // for each sample: more would hardly narrow the gaps
-  Random random(t);
-  std::vector<Candidate> result;
-  forEachPiece(cornersOf(surface, t), spacing, [&](const std::array<Point, 3>& piece, double here) {
-    // The part of a candidate is one with its probability.
-    const double wanted = each * samplesPerSquare * areaOf(piece) / (here * here);
-    const auto number = static_cast<Index>(std::floor(wanted + random.uniform()));
-    for (Index i = 0; i < number; ++i)
+  // The part of a candidate is one with its probability.
+  const auto number =
+    static_cast<Index>(std::floor(each * expectedSamples(piece) + random.uniform()));
+  const auto& [a, b, c] = piece.corners;
+  for (Index i = 0; i < number; ++i)
+  {
+    double u = random.uniform(), v = random.uniform();
+    if (u + v > 1)
     {
-      double u = random.uniform(), v = random.uniform();
-      if (u + v > 1)
-      {
-        u = 1 - u;
-        v = 1 - v;
-      }
-      const Point p = piece[0] + u * (piece[1] - piece[0]) + v * (piece[2] - piece[0]);
-      result.push_back({ random.bits(), { p, surface.normals[t], t }, here });
+      u = 1 - u;
+      v = 1 - v;
     }
-  });
-  return result;
+    const Point p = a + u * (b - a) + v * (c - a);
+    result.push_back({ random.bits(), { p, normal, piece.triangle }, piece.spacing });
+  }
 }
 
+/// In random order.
 std::vector<Candidate> candidates(
-  const TriangleSet& surface, const SpacingField& spacing, const Execution& execution)
+  const TriangleSet& surface, const std::vector<SurfacePiece>& pieces)
 {
-  std::vector<std::vector<Candidate>> each(surface.triangles.size());
-  execution.forEach(count(each), [&](Index t) {
-    if (surface.areas[t] > 0)
-    {
-      each[t] = candidatesOf(surface, t, spacing);
-    }
-  });
   std::vector<Candidate> result;
-  for (const std::vector<Candidate>& list : each)
+  Random random(None);
+  Index triangle = None;
+  for (const SurfacePiece& piece : pieces)
   {
-    result.insert(result.end(), list.begin(), list.end());
+    if (piece.triangle != triangle)
+    {
+      triangle = piece.triangle;
+      random = Random(triangle);
+    }
+    addCandidates(piece, surface.normals[triangle], random, result);
   }
   std::stable_sort(result.begin(), result.end(),
     [](const Candidate& a, const Candidate& b) { return a.order < b.order; });
   return result;
+}
+
+/// Cuts a triangle at the middle of its longest side, and again, until the spacing hardly changes.
+void addPieces(const std::array<Point, 3>& whole, Index triangle, const SpacingField& spacing,
+  std::vector<SurfacePiece>& result)
+{
+  std::vector<std::array<Point, 3>> open{ whole };
+  while (!open.empty())
+  {
+    SurfacePiece piece{ open.back(), triangle, 0 };
+    open.pop_back();
+    piece.spacing = spacing.at(piece.middle());
+    int longest = 0;
+    double length = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double side = (piece.corners[(k + 1) % 3] - piece.corners[k]).norm();
+      longest = side > length ? k : longest;
+      length = std::max(length, side);
+    }
+    constexpr double wide = 3; // spacings: it grows by less than itself over that
+    if (length <= wide * piece.spacing)
+    {
+      result.push_back(piece);
+      continue;
+    }
+    const auto corner = [&](int k) -> const Point& { return piece.corners[(longest + k) % 3]; };
+    const Point middle = (corner(0) + corner(1)) / 2;
+    open.push_back({ corner(0), middle, corner(2) });
+    open.push_back({ middle, corner(1), corner(2) });
+  }
 }
 }
 
@@ -145,32 +144,46 @@ TriangleSet triangleSet(const std::vector<Point>& points, const std::vector<Tria
   return result;
 }
 
-double expectedSamples(
+std::vector<SurfacePiece> surfacePieces(
   const TriangleSet& surface, const SpacingField& spacing, const Execution& execution)
 {
-  std::vector<double> each(surface.triangles.size(), 0);
-  execution.forEach(count(each), [&](Index t) {
-    if (surface.areas[t] > 0)
+  constexpr Index size = 256; // of a block of triangles, which a thread takes at once
+  const Index all = count(surface.triangles);
+  std::vector<std::vector<SurfacePiece>> blocks((all + size - 1) / size);
+  execution.forEach(count(blocks), [&](Index block) {
+    for (Index t = block * size; t < std::min(all, (block + 1) * size); ++t)
     {
-      forEachPiece(
-        cornersOf(surface, t), spacing, [&](const std::array<Point, 3>& piece, double here) {
-          each[t] += samplesPerSquare * areaOf(piece) / (here * here);
-        });
+      if (surface.areas[t] > 0)
+      {
+        addPieces(cornersOf(surface, t), t, spacing, blocks[block]);
+      }
     }
   });
-  double result = 0;
-  for (const double n : each)
+  std::vector<SurfacePiece> result;
+  for (const std::vector<SurfacePiece>& block : blocks)
   {
-    result += n;
+    result.insert(result.end(), block.begin(), block.end());
   }
   return result;
 }
 
-std::vector<SurfacePoint> blueNoise(const TriangleSet& surface, const SpacingField& spacing,
-  const std::vector<SurfacePoint>& taken, const Execution& execution)
+double expectedSamples(const std::vector<SurfacePiece>& pieces)
+{
+  double result = 0;
+  for (const SurfacePiece& piece : pieces)
+  {
+    result += expectedSamples(piece);
+  }
+  return result;
+}
+
+std::vector<SurfacePoint> blueNoise(const TriangleSet& surface,
+  const std::vector<SurfacePiece>& pieces, const std::vector<SurfacePoint>& taken,
+  const SpacingField& spacing, const Execution& execution)
 {
   std::vector<SurfacePoint> result = taken;
-  const std::vector<Candidate> all = candidates(surface, spacing, execution.between(0, 0.4));
+  const std::vector<Candidate> all = candidates(surface, pieces);
+  execution.report(0.4);
   std::vector<Point> places = positions(taken);
   places.reserve(taken.size() + all.size());
   for (const Candidate& candidate : all)

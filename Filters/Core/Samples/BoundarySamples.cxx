@@ -47,7 +47,8 @@ double usualSpacing(const ClosedSurface& surface)
 /// The spacing that makes as many samples as are allowed, if it is the same everywhere.
 double closest(const ClosedSurface& surface, const SamplingOptions& options)
 {
-  return std::sqrt(samplesPerSquare * surface.area / options.maximumSamples);
+  constexpr double rounding = 1 + 1e-9; // no more than these, however the areas of pieces add up
+  return rounding * std::sqrt(samplesPerSquare * surface.area / options.maximumSamples);
 }
 
 /// @throw InvalidInput  the surface is so narrow that only its length asks for more samples than anybody can
@@ -108,26 +109,35 @@ struct BoundarySampler::Implementation
     }
   }
 
-  /// Measures the thickness and fills the field.
+  /// Measures the thickness and fills the field. After the first two rounds only where it has become much finer.
   void adapt(const Execution& execution)
   {
     constexpr double coarse = 2; // times the largest spacing: a quarter of the samples
-    SpacingField before(coarse * this->largest);
     constexpr int rounds = 3;
+    SpacingField before(coarse * this->largest);
+    this->pieces = surfacePieces(this->triangles, before, execution.between(0, 0.05));
+    std::vector<SurfacePoint> at;
     for (int round = 0; round < rounds; ++round)
     {
       const Execution part =
-        execution.between(round / double(rounds), (round + 1) / double(rounds));
-      const std::vector<SurfacePoint> at =
-        blueNoise(this->triangles, before, {}, part.between(0, 0.5));
-      const Index finer = this->measure(at, before, part.between(0.5, 1));
+        execution.between((round + 0.1) / double(rounds), (round + 1) / double(rounds));
+      const Index known = count(at);
+      const std::vector<SurfacePoint> more =
+        blueNoise(this->triangles, this->pieces, {}, before, part.between(0, 0.5));
+      at.insert(at.end(), more.begin(), more.end());
+      const Index finer = this->measure(at, known, before, part.between(0.5, 1));
       this->field = SpacingField(this->largest, this->probes.places, this->probes.spacings);
       this->limit(part);
       constexpr double few = 0.001; // of the samples: the next round would hardly differ
-      if (round > 0 && finer <= few * count(at))
+      if (round + 1 == rounds || (round > 0 && finer <= few * count(at)))
       {
         break;
       }
+      this->pieces.erase(std::remove_if(this->pieces.begin(), this->pieces.end(),
+                           [&](const SurfacePiece& piece) {
+                             return !isMuchFiner(piece.spacing, before.at(piece.middle()));
+                           }),
+        this->pieces.end());
       before = this->field;
     }
   }
@@ -145,20 +155,32 @@ struct BoundarySampler::Implementation
     }
   }
 
-  /// Adds what is measured at samples. @return  how many ask for much less than the spacing was
-  Index measure(
-    const std::vector<SurfacePoint>& at, const SpacingField& before, const Execution& execution)
+  static bool isMuchFiner(double spacing, double before) { return spacing < 0.7 * before; }
+
+  /// The spacing that a thickness asks for. Walls come as close as one likes at the tip of a wedge or in a fold; samples
+  /// don't, and more of them would leave more places where the walls are not told apart. So what would need
+  /// a spacing below the smallest is not followed; around it the spacing is small anyway.
+  double wanted(double thickness) const
+  {
+    const double asked = this->options.fineness * thickness;
+    return asked < this->smallest() ? this->largest : std::min(asked, this->largest);
+  }
+
+  double smallest() const { return this->largest / 64; }
+
+  /// Adds what is measured at samples from the first on. @return  how many ask for much less than the spacing was
+  Index measure(const std::vector<SurfacePoint>& at, Index first, const SpacingField& before,
+    const Execution& execution)
   {
     const std::vector<double> thickness = localThickness(at, this->tree, this->triangles.normals,
-      this->largest / this->options.fineness, this->edges, execution);
+      this->largest / this->options.fineness, this->edges, execution, first);
     Index finer = 0;
-    for (std::size_t i = 0; i < at.size(); ++i)
+    for (std::size_t i = 0; i < thickness.size(); ++i)
     {
-      const double wanted =
-        std::clamp(this->options.fineness * thickness[i], this->smallest(), this->largest);
-      finer += wanted < 0.7 * before.at(at[i].position);
-      this->probes.places.push_back(at[i].position);
-      this->probes.spacings.push_back(wanted);
+      const Point& place = at[first + i].position;
+      this->probes.places.push_back(place);
+      this->probes.spacings.push_back(this->wanted(thickness[i]));
+      finer += isMuchFiner(this->probes.spacings.back(), before.at(place));
     }
     return finer;
   }
@@ -180,9 +202,6 @@ struct BoundarySampler::Implementation
     return result;
   }
 
-  /// Walls come as close as one likes at the tip of a wedge; samples don't.
-  double smallest() const { return this->largest / 64; }
-
   /// Widens the smallest spacings until there is room for all samples.
   void limit(const Execution& execution)
   {
@@ -192,12 +211,12 @@ struct BoundarySampler::Implementation
       least = this->largest;
       this->field = this->field.atLeast(least);
     }
-    this->expected = expectedSamples(this->triangles, this->field, execution);
-    while (this->expected > this->options.maximumSamples)
+    this->pieces = surfacePieces(this->triangles, this->field, execution);
+    while (expectedSamples(this->pieces) > this->options.maximumSamples)
     {
       least = std::max(1.2 * least, this->smallest());
       this->field = this->field.atLeast(least);
-      this->expected = expectedSamples(this->triangles, this->field, execution);
+      this->pieces = surfacePieces(this->triangles, this->field, execution);
     }
     this->warnings.clear();
     if (least > 0)
@@ -219,7 +238,7 @@ struct BoundarySampler::Implementation
   std::vector<WedgeEdge> edges;
   Probes probes;
   SpacingField field;
-  double expected = 0; ///< samples
+  std::vector<SurfacePiece> pieces; ///< by the field
   Warnings warnings;
 };
 
@@ -240,7 +259,8 @@ BoundarySamples BoundarySampler::samples(const Execution& execution) const
     mirroredSamples(known.triangles, known.tree, known.field, known.lines);
   BoundarySamples result;
   result.mirrored = count(pairs);
-  result.points = blueNoise(known.triangles, known.field, pairs, execution.between(0, 0.9));
+  result.points =
+    blueNoise(known.triangles, known.pieces, pairs, known.field, execution.between(0, 0.9));
   result.spacings.resize(result.points.size());
   execution.between(0.9, 1).forEach(count(result.points),
     [&](Index i) { result.spacings[i] = known.field.at(result.points[i].position); });
@@ -287,7 +307,7 @@ void BoundarySampler::refine(const std::vector<Point>& places, const Execution& 
   // A few spots, such as the end of an edge, become right that way; many of them in wedges don't.
   constexpr double few = 0.005; // of the samples; a spot has about five places
   constexpr double always = 100;
-  if (!known.edges.empty() && count(places) > std::max(few * known.expected, always))
+  if (!known.edges.empty() && count(places) > std::max(few * expectedSamples(known.pieces), always))
   {
     known.sampleWedgesAsWalls(execution);
   }

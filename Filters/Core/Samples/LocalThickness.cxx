@@ -159,17 +159,17 @@ std::vector<Point> positions(const std::vector<SurfacePoint>& samples)
 
 std::vector<double> localThickness(const std::vector<SurfacePoint>& samples,
   const SurfaceTree& tree, const std::vector<Point>& triangleNormals, double most,
-  const std::vector<WedgeEdge>& edges, const Execution& execution)
+  const std::vector<WedgeEdge>& edges, const Execution& execution, Index first)
 {
   const Wedges wedges(edges);
   const Spans spans(samples, tree, triangleNormals, most);
-  std::vector<double> result(samples.size());
-  execution.forEach(count(samples), [&](Index i) {
-    result[i] = infinite;
+  std::vector<double> result(samples.size() - first, infinite);
+  execution.forEach(count(result), [&](Index i) {
+    const SurfacePoint& sample = samples[first + i];
     for (const double side : { -1.0, 1.0 })
     {
-      const Span span = spans.at(samples[i], side * samples[i].normal);
-      result[i] = wedges.holds(samples[i], span) ? result[i] : std::min(result[i], span.width);
+      const Span span = spans.at(sample, side * sample.normal);
+      result[i] = wedges.holds(sample, span) ? result[i] : std::min(result[i], span.width);
     }
   });
   return result;

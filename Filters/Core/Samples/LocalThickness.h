@@ -38,9 +38,11 @@ struct WedgeEdge
 /// Costs a few searches in trees for each sample; they take longer the larger the balls are.
 /// @param triangleNormals  of the surface in the tree, of length 1
 /// @param most             what is thicker counts as infinitely thick; finite
+/// @param first            only from this sample on; those before are known, but keep balls small, too
+/// @return                 one value for each sample from the first on
 std::vector<double> localThickness(const std::vector<SurfacePoint>& samples,
   const SurfaceTree& tree, const std::vector<Point>& triangleNormals, double most,
-  const std::vector<WedgeEdge>& edges = {}, const Execution& execution = {});
+  const std::vector<WedgeEdge>& edges = {}, const Execution& execution = {}, Index first = 0);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "Balls/PolarBalls.h"
 #include "Executions.h"
 #include "Meshes.h"
+#include "Pipelines.h"
 
 #include <gtest/gtest.h>
 
@@ -110,6 +111,26 @@ TEST(ProvenSamples, GiveTheTopologyOfNarrowWedges)
   EXPECT_GE(right, 0.85 * all); // measured: more than 19 of 20
 }
 
+/// A crack so narrow that only samples much closer than all others would tell its walls apart. They would not get along
+/// with the others, and the crack makes no difference to the topology.
+TEST(ProvenSamples, DontFollowACrackThatTheyCantResolve)
+{
+  const double spacing = 0.1;
+  const Solid whole(meshes::box(Point::Zero(), Point(2, 2, 2)));
+  const std::size_t usual = whole.samples(withSpacing(spacing), 0).samples.points.size();
+  for (const double width : { 0.01, 0.003, 0.001 })
+  {
+    SCOPED_TRACE(testing::Message() << "width " << width);
+    const Solid cracked(meshes::blocks({ 0, 1, 1 + width, 2 }, { 0, 1.6, 2 }, { 0, 1.6, 2 },
+      [](int i, int j, int k) { return i != 1 || j != 1 || k != 1; }));
+    const ProvenSamples made = cracked.samples(withSpacing(spacing), 4);
+    EXPECT_TRUE(made.warnings.empty()) << made.warnings.front().text;
+    EXPECT_EQ(made.balls.powerShape, (Betti{ 1, 0, 0 }));
+    EXPECT_EQ(made.samples.points.size() > 5 * usual, width > 0.005);
+    EXPECT_TRUE(width > 0.005 || made.samples.points.size() < 1.1 * usual);
+  }
+}
+
 TEST(ProvenSamples, BecomeDenserUntilTheyAreEnough)
 {
   const Solid plate(meshes::drilledPlate(0.3));
@@ -134,6 +155,19 @@ TEST(ProvenSamples, SayWhereTheyAreNotEnough)
   ASSERT_TRUE(made.warnings[0].place);
   const Point place = *made.warnings[0].place;
   EXPECT_NEAR((plate.tree.nearest(place).point - place).norm(), 0, 1e-9);
+}
+
+/// So that nobody has to make them again.
+TEST(ProvenSamples, ComeWithTheirBalls)
+{
+  const Solid boxes(twoBoxes(0.3));
+  SamplingOptions options = withSpacing(0.15, false);
+  options.sharpAngle = 180;
+  for (const Index rounds : { 0, 4 }) // 4: some samples are added, see below
+  {
+    const ProvenSamples made = boxes.samples(options, rounds);
+    EXPECT_EQ(pipelines::bytesOf(made.balls), pipelines::bytesOf(boxes.balls(made)));
+  }
 }
 
 TEST(ProvenSamples, AreNotCheckedInNoRounds)

@@ -5,6 +5,7 @@
 #include "Meshes.h"
 #include "Numbers.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,6 +37,13 @@ struct Surface
   std::vector<Triangle> triangles;
   TriangleSet set;
 };
+
+std::vector<SurfacePoint> blueNoise(const Surface& surface, const SpacingField& spacing,
+  const std::vector<SurfacePoint>& taken = {}, const medial::Execution& execution = {})
+{
+  return medial::blueNoise(
+    surface.set, medial::surfacePieces(surface.set, spacing, execution), taken, spacing, execution);
+}
 
 /// Many places on the surface, by area.
 std::vector<Point> places(const Surface& surface, int howMany)
@@ -75,8 +83,7 @@ TEST(BlueNoise, KeepsTheSpacingAndLeavesNoGap)
 {
   const Surface surface(meshes::torus());
   const double spacing = 0.25;
-  const std::vector<SurfacePoint> samples =
-    medial::blueNoise(surface.set, SpacingField(spacing), {});
+  const std::vector<SurfacePoint> samples = blueNoise(surface, SpacingField(spacing));
   ASSERT_GT(samples.size(), 300);
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
@@ -95,7 +102,7 @@ TEST(BlueNoise, FollowsASpacingThatChanges)
 {
   const Surface surface(meshes::box(Point::Zero(), Point(2, 2, 2)));
   const SpacingField spacing(0.3, { Point::Zero() }, { 0.03 });
-  const std::vector<SurfacePoint> samples = medial::blueNoise(surface.set, spacing, {});
+  const std::vector<SurfacePoint> samples = blueNoise(surface, spacing);
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
@@ -114,7 +121,7 @@ TEST(BlueNoise, FollowsASpacingThatChanges)
 TEST(BlueNoise, LiesOnItsTriangles)
 {
   const Surface surface(meshes::torus());
-  for (const SurfacePoint& sample : medial::blueNoise(surface.set, SpacingField(0.25), {}))
+  for (const SurfacePoint& sample : blueNoise(surface, SpacingField(0.25)))
   {
     const Triangle& t = surface.triangles[sample.triangle];
     EXPECT_EQ(sample.normal, surface.set.normals[sample.triangle]);
@@ -128,8 +135,7 @@ TEST(BlueNoise, KeepsAwayFromSamplesThatThereAre)
   const Surface surface(meshes::box(Point::Zero(), Point::Ones()));
   const std::vector<SurfacePoint> taken = { { Point(0.5, 0.5, 1), Point::UnitZ(), 0 },
     { Point(0.4, 0.3, 1), Point::UnitZ(), 0 } };
-  const std::vector<SurfacePoint> samples =
-    medial::blueNoise(surface.set, SpacingField(0.1), taken);
+  const std::vector<SurfacePoint> samples = blueNoise(surface, SpacingField(0.1), taken);
   EXPECT_EQ(samples[0].position, taken[0].position);
   EXPECT_EQ(samples[1].position, taken[1].position);
   for (std::size_t i = 2; i < samples.size(); ++i)
@@ -146,8 +152,8 @@ TEST(BlueNoise, HasNoMoreThanTheExpectedNumberButNearlyAsMany)
   for (const double spacing : { 0.1, 0.2 })
   {
     const SpacingField field(spacing);
-    const double found = double(medial::blueNoise(surface.set, field, {}).size());
-    const double expected = medial::expectedSamples(surface.set, field);
+    const double found = double(blueNoise(surface, field).size());
+    const double expected = medial::expectedSamples(medial::surfacePieces(surface.set, field));
     EXPECT_LE(found, expected);
     EXPECT_GE(found, 0.75 * expected);
   }
@@ -157,17 +163,50 @@ TEST(BlueNoise, IsTheSameInEachRunAndForAnyThreads)
 {
   const Surface surface(meshes::torus());
   const SpacingField spacing(0.25, { Point(2.7, 0, 0) }, { 0.05 });
-  const auto samples = positions(medial::blueNoise(surface.set, spacing, {}));
-  EXPECT_EQ(positions(medial::blueNoise(surface.set, spacing, {})), samples);
-  EXPECT_EQ(positions(medial::blueNoise(surface.set, spacing, {}, pipelines::threaded())), samples);
+  const auto samples = positions(blueNoise(surface, spacing));
+  EXPECT_EQ(positions(blueNoise(surface, spacing)), samples);
+  EXPECT_EQ(positions(blueNoise(surface, spacing, {}, pipelines::threaded())), samples);
 }
 
 TEST(BlueNoise, CanBeStopped)
 {
   const Surface surface(meshes::torus());
   pipelines::expectProgressAndAbort([&surface](const medial::Execution& execution) {
-    medial::blueNoise(surface.set, SpacingField(0.25), {}, execution);
+    blueNoise(surface, SpacingField(0.25), {}, execution);
   });
+}
+
+/// Only some of the pieces: samples on those, and nowhere else.
+TEST(BlueNoise, CoversThePiecesAlone)
+{
+  const Surface surface(meshes::torus());
+  const SpacingField spacing(0.25);
+  std::vector<medial::SurfacePiece> pieces = medial::surfacePieces(surface.set, spacing);
+  const auto all = medial::blueNoise(surface.set, pieces, {}, spacing);
+  const Index half = medial::count(surface.triangles) / 2;
+  const auto isInSecondHalf = [half](const auto& x) { return x.triangle >= half; };
+  pieces.erase(std::remove_if(pieces.begin(), pieces.end(), isInSecondHalf), pieces.end());
+  const auto some = medial::blueNoise(surface.set, pieces, {}, spacing);
+  EXPECT_TRUE(std::none_of(some.begin(), some.end(), isInSecondHalf));
+  EXPECT_NEAR(double(some.size()), double(all.size()) / 2, 0.1 * double(all.size()));
+}
+
+TEST(SurfacePieces, CoverTheTriangles)
+{
+  const Surface surface(meshes::box(Point::Zero(), Point(2, 2, 2)));
+  const SpacingField spacing(0.3, { Point::Zero() }, { 0.03 });
+  std::vector<double> areas(surface.triangles.size(), 0);
+  for (const medial::SurfacePiece& piece : medial::surfacePieces(surface.set, spacing))
+  {
+    const auto& [a, b, c] = piece.corners;
+    areas[piece.triangle] += (b - a).cross(c - a).norm() / 2;
+    EXPECT_EQ(piece.spacing, spacing.at(piece.middle()));
+    EXPECT_LE((b - a).norm(), 3 * piece.spacing);
+  }
+  for (std::size_t t = 0; t < areas.size(); ++t)
+  {
+    EXPECT_NEAR(areas[t], surface.set.areas[t], 1e-12);
+  }
 }
 
 TEST(TriangleSet, HasNormalsAndAreas)
@@ -177,6 +216,6 @@ TEST(TriangleSet, HasNormalsAndAreas)
   EXPECT_EQ(flat.set.normals.back(), Point(Point::Zero()));
   EXPECT_EQ(flat.set.areas[1], 0.5);
   EXPECT_EQ(flat.set.normals[1], Point(-Point::UnitX()));
-  EXPECT_GT(medial::blueNoise(flat.set, SpacingField(0.1), {}).size(), 100);
+  EXPECT_GT(blueNoise(flat, SpacingField(0.1)).size(), 100);
 }
 }

@@ -45,7 +45,8 @@ Measured measured(const Mesh& mesh, double spacing, Edges edges = Edges::Unknown
   const medial::TriangleSet set = medial::triangleSet(mesh.points, triangles);
   const medial::SurfaceTree tree(mesh.points, triangles);
   Measured result;
-  result.samples = medial::blueNoise(set, medial::SpacingField(spacing), {});
+  result.samples = medial::blueNoise(set, medial::surfacePieces(set, medial::SpacingField(spacing)),
+    {}, medial::SpacingField(spacing));
   std::vector<medial::WedgeEdge> known;
   if (edges == Edges::Known)
   {
@@ -71,6 +72,18 @@ TEST(LocalThickness, OfAPlateIsItsOwn)
     }
   }
   EXPECT_GT(faces, 200);
+}
+
+TEST(LocalThickness, IsTheSameWhereOnlyTheLastSamplesAreMeasured)
+{
+  const Mesh mesh = meshes::torus();
+  const std::vector<Triangle> triangles = meshes::triangles(meshes::triangulated(mesh));
+  const medial::TriangleSet set = medial::triangleSet(mesh.points, triangles);
+  const medial::SurfaceTree tree(mesh.points, triangles);
+  const Measured all = measured(mesh, 0.3);
+  const Index first = medial::count(all.samples) / 3;
+  EXPECT_EQ(medial::localThickness(all.samples, tree, set.normals, thick, {}, {}, first),
+    std::vector<double>(all.thickness.begin() + first, all.thickness.end()));
 }
 
 TEST(LocalThickness, OfAGapIsItsWidth)
