@@ -170,6 +170,19 @@ vtkSmartPointer<vtkPolyData> cloud(const std::vector<medial::Point>& points)
   return result;
 }
 
+vtkSmartPointer<vtkPolyData> dataOf(const meshes::Mesh& mesh)
+{
+  vtkNew<vtkCellArray> cells;
+  for (medial::Index i = 0; i < mesh.polygons.size(); ++i)
+  {
+    const std::vector<vtkIdType> corners(mesh.polygons[i].begin(), mesh.polygons[i].end());
+    cells->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+  }
+  vtkSmartPointer<vtkPolyData> result = cloud(mesh.points);
+  result->SetPolys(cells);
+  return result;
+}
+
 const shapes::Shape& smallBox()
 {
   static const shapes::Shape box = shapes::box(0.12);

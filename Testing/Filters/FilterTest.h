@@ -2,6 +2,7 @@
 #ifndef FilterTest_h
 #define FilterTest_h
 
+#include "Meshes.h"
 #include "Shapes.h"
 
 #include "vtkMedialAxis.h"
@@ -33,6 +34,7 @@ void countEvents(vtkObject* sender, unsigned long event, int& count);
 
 /// Points as a data set without cells.
 vtkSmartPointer<vtkPolyData> cloud(const std::vector<medial::Point>& points);
+vtkSmartPointer<vtkPolyData> dataOf(const meshes::Mesh& mesh);
 
 /// A solid with sheets, seams, inner parts and corners, from few samples.
 const shapes::Shape& smallBox();

@@ -6,7 +6,6 @@
 #include "vtkPolarBalls.h"
 
 #include <vtkCallbackCommand.h>
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -24,25 +23,13 @@
 namespace
 {
 using filterTest::arrays;
+using filterTest::dataOf;
 using filterTest::ErrorLog;
 using filterTest::isEmpty;
 using filterTest::onlyError;
 using filterTest::same;
 using medial::Point;
 using meshes::Mesh;
-
-vtkSmartPointer<vtkPolyData> dataOf(const Mesh& mesh)
-{
-  vtkNew<vtkCellArray> cells;
-  for (medial::Index i = 0; i < mesh.polygons.size(); ++i)
-  {
-    const std::vector<vtkIdType> corners(mesh.polygons[i].begin(), mesh.polygons[i].end());
-    cells->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
-  }
-  vtkSmartPointer<vtkPolyData> result = filterTest::cloud(mesh.points);
-  result->SetPolys(cells);
-  return result;
-}
 
 /// Outputs 2 and 3.
 void expectBallsOfPolarBalls(vtkBoundarySamples* filter)

@@ -190,6 +190,31 @@ TEST(SimplifyShape, StagesAreConnectedInOrder)
   EXPECT_TRUE(same(simplify->GetPowerCrust()->GetOutput(), simplify->GetOutput()));
 }
 
+/// Of a mesh they come from vtkBoundarySamples, of points from vtkPolarBalls; also one after the other.
+TEST(SimplifyShape, GivesTheBallsAndSamplesOfItsInput)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  EXPECT_EQ(simplify->GetBalls()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(simplify->GetSamples()->GetNumberOfPoints(), 0);
+  simplify->GetBoundarySamples()->SetSpacing(0.3);
+  for (int turn = 0; turn < 2; ++turn)
+  {
+    simplify->SetInputData(filterTest::dataOf(meshes::torus()));
+    simplify->Update();
+    vtkBoundarySamples* boundary = simplify->GetBoundarySamples();
+    EXPECT_EQ(simplify->GetBalls(), boundary->GetOutputDataObject(2));
+    EXPECT_EQ(simplify->GetSamples(), boundary->GetOutputDataObject(3));
+    EXPECT_TRUE(simplify->GetBalls()->GetFieldData()->HasArray("BettiSolid"));
+    EXPECT_GT(simplify->GetOutput()->GetNumberOfCells(), 1000);
+
+    simplify->SetInputData(cloud(smallBox().samples));
+    simplify->Update();
+    EXPECT_TRUE(same(simplify->GetBalls(), boxPipeline().balls->GetOutput()));
+    EXPECT_TRUE(same(simplify->GetSamples(), boxPipeline().balls->GetOutputDataObject(1)));
+    EXPECT_TRUE(same(simplify->GetOutput(), boxPipeline().crust->GetOutput()));
+  }
+}
+
 /// The stages, and what their texts are called.
 std::vector<std::pair<std::string, vtkAlgorithm*>> stages(vtkSimplifyShape* simplify)
 {
