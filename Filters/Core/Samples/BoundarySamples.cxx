@@ -287,7 +287,7 @@ Index BoundarySampler::add(const std::vector<Point>& places, BoundarySamples& sa
   std::vector<char> isAdded(found.size(), 0);
   for (Index i = 0; i < count(found); ++i)
   {
-    constexpr double apart = 0.3; // spacings: less makes samples uneven, more leaves places far
+    constexpr double apart = 0.2; // spacings: less makes samples uneven, more leaves places far
     const double spacing = known.field.at(at[i]), near = apart * spacing;
     const std::vector<Index> around = candidates.within(i, near);
     if ((before[present.nearest(at[i], 1).front()] - at[i]).norm() >= near &&

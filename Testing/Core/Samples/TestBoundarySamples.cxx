@@ -263,7 +263,7 @@ TEST(BoundarySamples, AreAddedOnBothWallsNextToAPlace)
   for (Index i = before; i < medial::count(samples.points); ++i)
   {
     EXPECT_EQ(plate.tree.distance(samples.points[i].position, samples.points[i].triangle), 0);
-    EXPECT_LE(near(samples, samples.points[i].position, 0.999 * 0.3 * options.spacing), 1);
+    EXPECT_LE(near(samples, samples.points[i].position, 0.999 * 0.2 * options.spacing), 1);
   }
   EXPECT_EQ(sampler.add(places, samples), 0);
 }
