@@ -34,7 +34,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 import tables
 
 HEADER = ("| file | right | samples | parts | power shape | axis | pruned | surface | verdict | distance 99 % | farthest "
-          "| seconds | as points |\n|---|---|--:|--:|---|---|---|---|---|--:|--:|--:|---|\n")
+          "| seconds | for balls | as points |\n|---|---|--:|--:|---|---|---|---|---|--:|--:|--:|--:|---|\n")
 SHARP = 30  # degrees
 STAGES = ("powerShape", "axis", "pruned", "crust")
 
@@ -117,7 +117,7 @@ def row(program, data, entry):
         report = run(program, path, pathlib.Path(folder, "mesh"))
         points = run(program, path, pathlib.Path(folder, "points"), "--points")
         if isinstance(report, str):
-            return f"| `{entry['file']}` | {right} | refused: {report} " + "| " * 11 + "|\n", False
+            return f"| `{entry['file']}` | {right} | refused: {report} " + "| " * 12 + "|\n", False
         run(program, path, pathlib.Path(folder, "unpruned"), "--schedule", "")
         far = distances(read(vtkPLYReader(), path), pathlib.Path(folder, "unpruned"))
     stages = [tables.in_words(report["betti"][stage]) for stage in STAGES]
@@ -127,9 +127,11 @@ def row(program, data, entry):
     else:
         vertices_certified = points["verdict"]["name"] == "certified"
         vertices = tables.in_words(points["betti"]["crust"]) + ", " + points["verdict"]["name"]
+    seconds = report["seconds"]
+    balls = seconds["samples"] + seconds["polarBalls"]
     farthest, most = (far.max(), np.quantile(far, 0.99)) if len(far) else (0, 0)
     cells = [f"`{entry['file']}`", right, f"{report['samples']:,}", f"{report['parts']:,}", *stages, verdict,
-             f"{most:.2f}", f"{farthest:.2f}", f"{report['seconds']['total']:.0f}", vertices]
+             f"{most:.2f}", f"{farthest:.2f}", f"{seconds['total']:.0f}", f"{balls / seconds['total']:.0%}", vertices]
     fine = set(stages) == {right} and verdict == "certified"
     return "| " + " | ".join(cells) + " |\n", fine and (not vertices_certified or vertices.startswith(right + ","))
 

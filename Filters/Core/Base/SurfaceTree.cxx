@@ -105,6 +105,10 @@ double SurfaceTree::distance(const Point& point, Index triangle) const
 std::optional<SurfaceTree::Place> SurfaceTree::firstMet(
   const Point& from, const Point& to, Index skipped) const
 {
+  if (from == to) // no segment, for CGAL
+  {
+    return {};
+  }
   const Kernel::Segment_3 way(toKernel(from), toKernel(to));
   std::vector<Tree::Intersection_and_primitive_id<Kernel::Segment_3>::Type> met;
   this->implementation->tree.all_intersections(way, std::back_inserter(met));

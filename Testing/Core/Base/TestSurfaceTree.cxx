@@ -148,6 +148,7 @@ TEST(SurfaceTree, SkipsTheTriangleThatAWayBeginsOn)
   ASSERT_TRUE(across);
   EXPECT_EQ(across->point, Point(0.1, 0.2, -1));
   EXPECT_FALSE(tree.firstMet(start, Point(0.1, 0.2, 4), here->triangle));
+  EXPECT_FALSE(tree.firstMet(start, start, None)); // CGAL would throw an exception
 }
 
 TEST(SurfaceTree, LeavesOutTrianglesWithoutArea)
