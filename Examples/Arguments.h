@@ -30,6 +30,7 @@ struct Arguments
   std::optional<int> fillCavities; ///< largest one that is filled, in voxels
   std::optional<int> smallestPiece; ///< that is kept, in voxels
   bool largestPiece = false;        ///< keep that alone
+  std::optional<double> gaussian;   ///< smooths the voxels, standard deviation in voxels
   int threads = 0;                  ///< 0: as many as the machine has
   bool picture = false;
   bool strict = false;

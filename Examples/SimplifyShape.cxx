@@ -59,6 +59,7 @@ void setImageProperties(vtkImageBoundary* boundary, const Arguments& arguments)
   boundary->SetFillCavities(arguments.fillCavities.value_or(boundary->GetFillCavities()));
   boundary->SetMinimumPieceVoxels(
     arguments.smallestPiece.value_or(boundary->GetMinimumPieceVoxels()));
+  boundary->SetGaussianRadius(arguments.gaussian.value_or(boundary->GetGaussianRadius()));
   boundary->SetPieces(
     arguments.largestPiece ? vtkImageBoundary::LARGEST : vtkImageBoundary::FROM_SIZE);
 }

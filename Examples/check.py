@@ -71,7 +71,7 @@ class SimplifyShape(ProgramTest):
     def options(self):
         """Each option of --help with an example of its value, or None if it takes none."""
         examples = {"DIR": self.path("none"), '"W W ..."': "t5", "WORD": "none", "ID,ID": "0,1",
-                    "N": "1", "L": "0.1", "F": "0.2", "X": "0.5", "WHICH": "largest"}
+                    "N": "1", "L": "0.1", "F": "0.2", "R": "1", "X": "0.5", "WHICH": "largest"}
         text = self.run_program("--help").stdout
         found = re.findall(r"^  (--[a-z-]+)(?: (\S.*?))?  ", text, re.M)
         return {name: examples[placeholder] if placeholder else None
@@ -106,6 +106,8 @@ class SimplifyShape(ProgramTest):
             self.assert_fails(1, ["'" + word + "'", "tN", "vP%"], points, "--schedule", word)
         self.assert_fails(1, ["--topology", "'graph'"], points, "--topology", "graph")
         self.assert_fails(1, ["--threads", "'0'"], points, "--threads=0")
+        self.assert_fails(1, ["--gaussian", "'11'"], "a.mha", "--gaussian", "11")
+        self.assert_fails(1, ["--gaussian are for images"], points, "--gaussian", "1")
         self.assert_fails(1, ["'a'", "--remove-parts"], points, "--remove-parts", "1,a")
         self.assert_fails(1, ["no part 100000"], points, "--remove-parts", "100000")
         self.assert_fails(1, ["'--colour'"], points, "--colour")

@@ -117,6 +117,14 @@ class Images(ImageTest):
         every, _ = self.read("a.mha", mha(voxels(hollow)), "--fill-cavities", "1000", "--pieces", "largest")
         self.assertEqual(every["betti"]["segmentation"], [1, 0, 0])
 
+    def test_gaussian_smooths_more_or_not_at_all(self):
+        areas = [self.read("a.mha", mha(voxels(ball)), "--gaussian", radius)[0]["sampling"]["area"]
+                 for radius in ("0", "0.7", "1.2")]
+        usual = self.read("a.mha", mha(voxels(ball)))[0]["sampling"]["area"]
+        self.assertEqual(areas[1], usual)
+        self.assertGreater(areas[0], usual)
+        self.assertLess(areas[2], usual)
+
     def test_hollow_bone_with_islands(self):
         def bone(x, y, z):
             distance = math.hypot(x, y, z)

@@ -50,7 +50,7 @@ Warning notEnough(const Betti& made, const Betti& solid, const std::vector<Cross
     text("The samples give ", inWords(made), ", but the surface has ", inWords(solid), ", and in ",
       places.size(), places.size() == 1 ? " place" : " places",
       " they don't keep inside and outside apart. Take a smaller spacing or fineness, or mend the "
-      "surface there."),
+      "surface there; of an image, smooth it more."),
     count(places), places.empty() ? std::optional<Point>() : places.front().place, true };
 }
 }

@@ -239,6 +239,7 @@ struct BoundarySampler::Implementation
   Probes probes;
   SpacingField field;
   std::vector<SurfacePiece> pieces; ///< by the field
+  bool isRefined = false;           ///< once at least
   Warnings warnings;
 };
 
@@ -304,13 +305,15 @@ Index BoundarySampler::add(const std::vector<Point>& places, BoundarySamples& sa
 void BoundarySampler::refine(const std::vector<Point>& places, const Execution& execution)
 {
   Implementation& known = *this->implementation;
-  // A few spots, such as the end of an edge, become right that way; many of them in wedges don't.
+  // A few spots, such as the end of an edge, become right that way at once, or not; many of them in wedges don't.
   constexpr double few = 0.005; // of the samples; a spot has about five places
   constexpr double always = 100;
-  if (!known.edges.empty() && count(places) > std::max(few * expectedSamples(known.pieces), always))
+  const bool areMany = count(places) > std::max(few * expectedSamples(known.pieces), always);
+  if (!known.edges.empty() && (areMany || known.isRefined))
   {
     known.sampleWedgesAsWalls(execution);
   }
+  known.isRefined = true;
   for (const Point& place : places)
   {
     known.probes.places.push_back(place);

@@ -55,8 +55,9 @@ public:
   /// @throw Aborted
   BoundarySamples samples(const Execution& execution = {}) const;
 
-  /// Halves the spacing at places, for the next samples. Where the places are many, narrow wedges are sampled
-  /// as densely as other thin places from now on; before, mirrored pairs were to do.
+  /// Halves the spacing at places, for the next samples. Where the places are many, or were
+  /// not the first ones, narrow wedges are sampled as densely as other thin places from now on; before, mirrored
+  /// pairs were to do.
   /// @throw Aborted
   void refine(const std::vector<Point>& places, const Execution& execution = {});
 
