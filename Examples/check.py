@@ -106,8 +106,6 @@ class SimplifyShape(ProgramTest):
             self.assert_fails(1, ["'" + word + "'", "tN", "vP%"], points, "--schedule", word)
         self.assert_fails(1, ["--topology", "'graph'"], points, "--topology", "graph")
         self.assert_fails(1, ["--threads", "'0'"], points, "--threads=0")
-        self.assert_fails(1, ["--gaussian", "'11'"], "a.mha", "--gaussian", "11")
-        self.assert_fails(1, ["--gaussian are for images"], points, "--gaussian", "1")
         self.assert_fails(1, ["'a'", "--remove-parts"], points, "--remove-parts", "1,a")
         self.assert_fails(1, ["no part 100000"], points, "--remove-parts", "100000")
         self.assert_fails(1, ["'--colour'"], points, "--colour")

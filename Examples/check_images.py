@@ -124,6 +124,8 @@ class Images(ImageTest):
         self.assertEqual(areas[1], usual)
         self.assertGreater(areas[0], usual)
         self.assertLess(areas[2], usual)
+        self.assert_fails(1, ["--gaussian", "'11'"], "a.mha", "--gaussian", "11")
+        self.assert_fails(1, ["--gaussian are for images"], "a.xyz", "--gaussian", "1")
 
     def test_hollow_bone_with_islands(self):
         def bone(x, y, z):
