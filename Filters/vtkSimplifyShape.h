@@ -3,14 +3,14 @@
  * @class   vtkSimplifyShape
  * @brief   from an image, a mesh, or points of a solid's boundary, to a simplified closed surface
  *
- * The medial axis pipeline in one filter: vtkImageBoundary, vtkBoundarySamples, vtkPolarBalls, vtkMedialAxis, vtkMedialPrune,
- * vtkMedialPartDecomposition and vtkPowerCrust, one after another. The methods below set the
+ * The medial axis pipeline in one filter: vtkImageBoundary, vtkBoundarySamples or vtkPolarBalls, vtkMedialAxis,
+ * vtkMedialPrune, vtkMedialPartDecomposition and vtkPowerCrust, one after another. The methods below set the
  * properties that are needed most often. Set the others on the stages, which belong to the filter.
  *
  * Input: vtkImageData, whose solid gets a surface by GetImageBoundary(); the properties of that filter tell
- * which voxels it has, as `GetImageBoundary()->SetSolidToIsoValue()`. Or any vtkPointSet. If it has polygons that bound a solid, these are sampled by
- * vtkBoundarySamples, and everything is compared with that solid. Else its points are the samples, see
- * vtkPolarBalls. SetUseTriangles() chooses.
+ * which voxels it has, as `GetImageBoundary()->SetSolidToIsoValue()`. Or any vtkPointSet. If it has polygons
+ * that bound a solid, vtkBoundarySamples samples them and makes the balls, and everything is compared with that
+ * solid. Else its points are the samples of vtkPolarBalls. SetUseTriangles() chooses.
  *
  * Output 0: vtkPolyData, the simplified surface, see vtkPowerCrust.
  * Output 1: vtkPolyData, the pruned axis with its parts, see vtkMedialPrune.

@@ -87,7 +87,8 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
       break;
     }
     const std::vector<Crossing> places = crossings(result.balls.balls, tree);
-    if (result.rounds == rounds || places.empty())
+    // Where there is no room for more samples, those of the next round would hardly differ.
+    if (result.rounds == rounds || places.empty() || !result.samples.warnings.empty())
     {
       result.warnings.push_back(notEnough(result.balls.powerShape, surface.measures.betti, places));
       break;

@@ -141,6 +141,19 @@ TEST(ProvenSamples, BecomeDenserUntilTheyAreEnough)
   EXPECT_EQ(plate.balls(made).powerShape, plate.surface.measures.betti);
 }
 
+/// The next round would make much the same samples, for minutes where a million are allowed.
+TEST(ProvenSamples, AreNotMadeAgainWhereThereIsNoRoomForMore)
+{
+  const Solid plate(meshes::drilledPlate(0.02));
+  SamplingOptions options = withSpacing(0.1);
+  options.maximumSamples = 2000;
+  const ProvenSamples made = plate.samples(options, 4);
+  EXPECT_EQ(made.rounds, 0);
+  ASSERT_EQ(made.warnings.size(), 2);
+  EXPECT_EQ(made.warnings[0].code, "too_many_samples");
+  EXPECT_EQ(made.warnings[1].code, "too_few_samples");
+}
+
 TEST(ProvenSamples, SayWhereTheyAreNotEnough)
 {
   const Solid plate(meshes::drilledPlate(0.02));
