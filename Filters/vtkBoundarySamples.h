@@ -41,7 +41,8 @@
  *
  * Warnings, in the field data as vtkPolarBalls.h describes: `filled_holes`, `self_intersections`,
  * `wrapped` (Wrap was needed; with its offset),
- * `too_many_samples` (MaximumSamples was in the way), `too_few_samples` (the balls of the samples don't
+ * `too_many_samples` (MaximumSamples was in the way), `paired_walls` (parallel walls are too near each other for their
+ * samples, which come in mirrored pairs there; balls between them are too wide; with a place), `too_few_samples` (the balls of the samples don't
  * have the Betti numbers of the solid; with a place), `far_surface` (their power crust is farther than half a
  * spacing from the surface; with a place).
  *

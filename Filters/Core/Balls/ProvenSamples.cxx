@@ -53,6 +53,12 @@ Warning notEnough(const Betti& made, const Betti& solid, const std::vector<Cross
       "surface there; of an image, smooth it more."),
     count(places), places.empty() ? std::optional<Point>() : places.front().place, true };
 }
+
+bool isLimited(const BoundarySamples& samples)
+{
+  return std::any_of(samples.warnings.begin(), samples.warnings.end(),
+    [](const Warning& warning) { return warning.code == "too_many_samples"; });
+}
 }
 
 ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tree,
@@ -88,7 +94,7 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
     }
     const std::vector<Crossing> places = crossings(result.balls.balls, tree);
     // Where there is no room for more samples, those of the next round would hardly differ.
-    if (result.rounds == rounds || places.empty() || !result.samples.warnings.empty())
+    if (result.rounds == rounds || places.empty() || isLimited(result.samples))
     {
       result.warnings.push_back(notEnough(result.balls.powerShape, surface.measures.betti, places));
       break;

@@ -4,6 +4,7 @@
 #include "Base/EdgeTree.h"
 #include "Base/Frame.h"
 #include "Base/Neighbors.h"
+#include "Samples/PairedWalls.h"
 #include "Samples/SharpEdges.h"
 
 #include <algorithm>
@@ -62,6 +63,17 @@ void checkLength(const ClosedSurface& surface)
     throw InvalidInput("the surface is ", diagonal, " long, but has an area of only ", surface.area,
       ": too narrow to be sampled; is a point at a wrong place far away?");
   }
+}
+
+Warning thinWalls(const std::vector<Point>& places)
+{
+  return { "paired_walls",
+    text("Walls or gaps are too narrow for their samples. In ", places.size(),
+      places.size() == 1 ? " place" : " places",
+      " these come in pairs instead, so that the topology is right; but balls there are as wide as "
+      "the samples are "
+      "apart, not as the walls. Take a smaller spacing where radii matter."),
+    count(places), places.front(), false };
 }
 
 /// Where the thickness was measured, and the spacing that it asks for.
@@ -168,6 +180,12 @@ struct BoundarySampler::Implementation
 
   double smallest() const { return this->largest / 64; }
 
+  /// Walls that are nearer are not followed: samples come in pairs there.
+  double tooNarrow() const
+  {
+    return this->options.adaptive ? this->smallest() / this->options.fineness : 0;
+  }
+
   /// Adds what is measured at samples from the first on. @return  how many ask for much less than the spacing was
   Index measure(const std::vector<SurfacePoint>& at, Index first, const SpacingField& before,
     const Execution& execution)
@@ -260,12 +278,19 @@ BoundarySamples BoundarySampler::samples(const Execution& execution) const
     mirroredSamples(known.triangles, known.tree, known.field, known.lines);
   BoundarySamples result;
   result.mirrored = count(pairs);
-  result.points =
-    blueNoise(known.triangles, known.pieces, pairs, known.field, execution.between(0, 0.9));
+  PairedSamples paired =
+    pairAcrossWalls(known.triangles, known.tree, known.field, known.tooNarrow(),
+      blueNoise(known.triangles, known.pieces, pairs, known.field, execution.between(0, 0.8)),
+      result.mirrored, execution.between(0.8, 0.9));
+  result.points = std::move(paired.points);
   result.spacings.resize(result.points.size());
   execution.between(0.9, 1).forEach(count(result.points),
     [&](Index i) { result.spacings[i] = known.field.at(result.points[i].position); });
   result.warnings = known.warnings;
+  if (!paired.places.empty())
+  {
+    result.warnings.push_back(thinWalls(paired.places));
+  }
   return result;
 }
 

@@ -33,7 +33,7 @@ struct BoundarySamples
   std::vector<SurfacePoint> points; ///< triangles are those of the surface
   std::vector<double> spacings;     ///< that was asked for at each
   Index mirrored = 0;               ///< so many of them, the first ones, are pairs at sharp edges
-  Warnings warnings;                ///< that there is no room for as many as are asked for
+  Warnings warnings;                ///< too many are asked for, or walls are too near
 };
 
 /// Samples a closed surface, more densely where it is told to.
