@@ -2,7 +2,6 @@
 #include "vtkBoundarySamples.h"
 
 #include "Balls/ProvenSamples.h"
-#include "Conversion/ArrayNames.h"
 #include "Conversion/Arrays.h"
 #include "Conversion/Balls.h"
 #include "Conversion/Surface.h"
@@ -68,7 +67,6 @@ int vtkBoundarySamples::RequestData(
       medial::reportWarnings(this, surface.warnings, { samples, closed });
       medial::reportWarnings(this, made.warnings, { samples, closed });
       medial::write(made.balls, samples, balls, known);
-      medial::addBetti(balls->GetFieldData(), medial::names::BettiSolid, surface.measures.betti);
       medial::reportWarnings(this, made.balls.samples.warnings, { balls, known });
     });
 }

@@ -68,18 +68,16 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
   ProvenSamples result;
   result.samples = sampler.samples(execution.between(0.3, 0.4));
   result.warnings = result.samples.warnings;
-  const auto makeBalls = [&](const Execution& part) {
-    result.balls = polarBallsAndSamples(positions(result.samples.points), {}, part, &tree);
-  };
   double done = 0.4;
-  if (rounds == 0)
-  {
-    makeBalls(execution.between(done, 1));
-  }
-  while (rounds > 0)
+  while (true)
   {
     const double half = done + (1 - done) / 2;
-    makeBalls(execution.between(done, half));
+    result.balls = polarBallsAndSamples(
+      positions(result.samples.points), {}, execution.between(done, half), &tree);
+    if (rounds == 0)
+    {
+      break;
+    }
     if (result.balls.powerShape == surface.measures.betti)
     {
       const Index before = count(result.samples.points);

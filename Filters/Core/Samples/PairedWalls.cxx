@@ -56,8 +56,7 @@ private:
   {
     const Point& other = this->surface.normals[opposite.triangle];
     const Point across = sample.normal - other;
-    const double height = sample.position.dot(across) -
-      (sample.position.dot(sample.normal) - opposite.point.dot(other));
+    const double height = (opposite.point - sample.position).dot(other);
     const Point image = sample.position - 2 * height / across.squaredNorm() * across;
     const SurfaceTree::Place foot = this->tree.nearest(image);
     return { foot.point, this->surface.normals[foot.triangle], foot.triangle };
@@ -75,6 +74,34 @@ enum class State : char
   Taken,
   Dropped
 };
+
+/// Takes pairs in their order, where no other one is near; what is next to a partner is dropped.
+/// @param places  samples, and after them the partners of the paired ones
+std::vector<State> takePairs(const std::vector<Point>& places, const std::vector<Index>& paired,
+  Index sampleCount, Index fixed, const SpacingField& spacing)
+{
+  std::vector<State> states(places.size(), State::Free);
+  std::fill_n(states.begin(), fixed, State::Taken);
+  const Neighbors neighbors(places);
+  for (Index k = 0; k < count(paired); ++k)
+  {
+    const Index sample = paired[k], partner = sampleCount + k;
+    constexpr double nearer = 0.7; // of the spacing: leaves no gap
+    const std::vector<Index> near = neighbors.within(partner, nearer * spacing.at(places[partner]));
+    const auto isTaken = [&](Index other) { return states[other] == State::Taken; };
+    if (states[sample] != State::Free || std::any_of(near.begin(), near.end(), isTaken))
+    {
+      states[sample] = State::Dropped; // another pair is there, or nearly
+      continue;
+    }
+    for (const Index other : near)
+    {
+      states[other] = State::Dropped;
+    }
+    states[sample] = states[partner] = State::Taken;
+  }
+  return states;
+}
 }
 
 PairedSamples pairAcrossWalls(const TriangleSet& surface, const SurfaceTree& tree,
@@ -97,27 +124,12 @@ PairedSamples pairAcrossWalls(const TriangleSet& surface, const SurfaceTree& tre
       places.push_back(partners[i]->position);
     }
   }
-  std::vector<State> states(places.size(), State::Free);
-  std::fill_n(states.begin(), fixed, State::Taken);
-  const Neighbors neighbors(places);
-  for (Index k = 0; k < count(paired); ++k)
+  if (paired.empty())
   {
-    const Index sample = paired[k], partner = count(samples) + k;
-    constexpr double nearer = 0.7; // of the spacing: leaves no gap
-    const std::vector<Index> near = neighbors.within(partner, nearer * spacing.at(places[partner]));
-    const auto isTaken = [&](Index other) { return states[other] == State::Taken; };
-    if (states[sample] != State::Free || std::any_of(near.begin(), near.end(), isTaken))
-    {
-      states[sample] = State::Dropped; // another pair is there, or nearly
-      continue;
-    }
-    for (const Index other : near)
-    {
-      states[other] = State::Dropped;
-    }
-    states[sample] = states[partner] = State::Taken;
+    execution.report(1);
+    return { samples, {} };
   }
-
+  const std::vector<State> states = takePairs(places, paired, count(samples), fixed, spacing);
   PairedSamples result;
   for (Index i = 0; i < count(samples); ++i)
   {
