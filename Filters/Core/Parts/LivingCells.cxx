@@ -90,10 +90,9 @@ void LivingCells::remove(const std::vector<Index>& removed)
 // long as they live, because a part is only ever removed as a whole.
 void LivingCells::join()
 {
-  for (const Index e : this->changedEdges)
-  {
-    this->joinAtEdge(e);
-  }
+  std::vector<Index> open = std::exchange(this->notches, {});
+  open.insert(open.end(), this->changedEdges.begin(), this->changedEdges.end());
+  this->joinAcross(std::move(open));
   for (const Index p : this->changedPoints)
   {
     this->joinAtPoint(p);
@@ -102,27 +101,114 @@ void LivingCells::join()
   this->changedPoints.clear();
 }
 
-void LivingCells::joinAtEdge(Index edge)
+std::array<Index, 2> LivingCells::trianglesOf(Index edge) const
 {
-  if (this->atEdge[edge] != 2)
-  {
-    return;
-  }
-  Index first = None;
+  std::array<Index, 2> result{ None, None };
   for (const Index t : this->edges.triangles[edge])
   {
     const Index cell = this->cells.firstTriangle() + t;
     if (this->living[cell])
     {
-      this->joinPair(first == None ? cell : first, cell);
-      first = cell;
+      result[result[0] == None ? 0 : 1] = cell;
+    }
+  }
+  return result;
+}
+
+void LivingCells::joinAtEdge(Index edge)
+{
+  if (this->atEdge[edge] == 2)
+  {
+    const auto [first, second] = this->trianglesOf(edge);
+    this->joinPair(first, second);
+  }
+}
+
+void LivingCells::keepOpen(std::vector<Index>& edges, PairLengths& lengths)
+{
+  const auto isSettled = [&](Index e) {
+    if (this->atEdge[e] != 2)
+    {
+      return true;
+    }
+    const auto [first, second] = this->trianglesOf(e);
+    const std::array pair{ this->groups.find(first), this->groups.find(second) };
+    if (pair[0] == pair[1] || !this->mayJoin(first, second))
+    {
+      return true;
+    }
+    ++lengths[{ std::min(pair[0], pair[1]), std::max(pair[0], pair[1]) }].open;
+    return false;
+  };
+  edges.erase(std::remove_if(edges.begin(), edges.end(), isSettled), edges.end());
+}
+
+void LivingCells::addSeams(PairLengths& lengths)
+{
+  std::vector<Index> met;
+  for (Index e = 0; e < count(this->atEdge); ++e)
+  {
+    if (this->atEdge[e] <= 2)
+    {
+      continue;
+    }
+    met.clear();
+    for (const Index t : this->edges.triangles[e])
+    {
+      const Index cell = this->cells.firstTriangle() + t;
+      if (this->living[cell])
+      {
+        met.push_back(this->groups.find(cell));
+      }
+    }
+    sortUnique(met);
+    for (std::size_t i = 0; i < met.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        const auto pair = lengths.find({ met[j], met[i] });
+        if (pair != lengths.end())
+        {
+          ++pair->second.seam;
+        }
+      }
     }
   }
 }
 
+void LivingCells::joinAcross(std::vector<Index> edges)
+{
+  constexpr double isShort =
+    0.1; // of the seam; measured on boxes, where notches are a few hundredths
+  for (bool joined = true; joined;)
+  {
+    PairLengths lengths;
+    this->keepOpen(edges, lengths);
+    joined = false;
+    if (!edges.empty())
+    {
+      this->addSeams(lengths);
+    }
+    for (const auto& [pair, length] : lengths)
+    {
+      if (length.open >= isShort * length.seam)
+      {
+        joined = this->groups.unite(pair[0], pair[1]) || joined;
+      }
+    }
+  }
+  sortUnique(edges);
+  this->notches = std::move(edges);
+}
+
+bool LivingCells::mayJoin(Index first, Index second) const
+{
+  return this->bodyOfCell.empty() || this->bodyOfCell[first] == this->bodyOfCell[second];
+}
+
 void LivingCells::joinPair(Index first, Index second)
 {
-  if (this->bodyOfCell.empty() || this->bodyOfCell[first] == this->bodyOfCell[second])
+  if (this->mayJoin(first, second))
   {
     this->groups.unite(first, second);
   }
@@ -130,22 +216,13 @@ void LivingCells::joinPair(Index first, Index second)
 
 bool LivingCells::isContact(Index edge) const
 {
-  if (this->atEdge[edge] != 2 || this->bodyOfCell.empty())
+  if (this->atEdge[edge] != 2)
   {
     return this->atEdge[edge] > 2;
   }
-  Index first = None;
-  bool differ = false;
-  for (const Index t : this->edges.triangles[edge])
-  {
-    const Index cell = this->cells.firstTriangle() + t;
-    if (this->living[cell])
-    {
-      differ = first != None && this->bodyOfCell[first] != this->bodyOfCell[cell];
-      first = cell;
-    }
-  }
-  return differ;
+  const auto [first, second] = this->trianglesOf(edge);
+  return !this->mayJoin(first, second) ||
+    std::binary_search(this->notches.begin(), this->notches.end(), edge);
 }
 
 void LivingCells::joinAtPoint(Index point)
