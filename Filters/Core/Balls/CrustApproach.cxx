@@ -59,14 +59,15 @@ public:
       samples = std::move(more);
     }
     faces.erase(std::remove_if(faces.begin(), faces.end(),
-                  [](const FarFace& face) { return face.distance <= wanted; }),
+                  [](const FarFace& face) { return face.distance <= told; }),
       faces.end());
     return faces;
   }
 
 private:
-  static constexpr double wanted = 0.5;        // spacings
-  static constexpr double most = 0.9 * wanted; // other places of a face may be a little farther
+  static constexpr double told = 0.5;           // spacings
+  static constexpr double wanted = 0.96 * told; // other places of a face may be a little farther
+  static constexpr double most = 0.9 * wanted;  // nearly as far
 
   std::vector<FarFace> farFacesOf(const PolarBallsAndSamples& made, const BoundarySamples& samples,
     const Execution& execution) const
@@ -96,14 +97,16 @@ private:
     const BoundarySamples& samples, const Execution& execution) const
   {
     constexpr int rounds = 12; // most places are right after one or two
+    // Samples as even as they can be; but some places need one that is nearer to others. Measured on 6 meshes.
+    constexpr std::array<double, 3> aparts{ 0.2, 0.1, 0.05 };
     BoundarySamples best = samples, tried = samples;
     std::vector<FarFace> left = faces;
     std::array<Index, 2> least = badness(faces);
     for (int round = 0; round < rounds && !left.empty(); ++round)
     {
-      if (this->sampler.add(placesOf(left), tried) == 0)
+      if (this->sampler.add(placesOf(left), tried, aparts[round % aparts.size()]) == 0)
       {
-        break;
+        continue;
       }
       left = this->farFacesAround(left, balls, tried, execution);
       if (badness(left) < least)

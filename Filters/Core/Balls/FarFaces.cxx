@@ -5,6 +5,8 @@
 #include "Base/Neighbors.h"
 #include "Base/Predicates.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -21,7 +23,7 @@ using EdgeCell = std::pair<Edge, Index>;
 
 bool isOdd(const PolarBalls& balls, Index a, Index b)
 {
-  constexpr double most = 0.1; // measured; where samples are dense it is below 0.05
+  constexpr double most = 0.05; // measured; where samples are dense it is below that
   return a < b && balls.sides[a] != balls.sides[b] &&
     std::abs(intersectionDepth(balls.balls[a], balls.balls[b]) + 1) > most;
 }
@@ -100,15 +102,12 @@ public:
     constexpr double less = 0.6; // so much at least is the spacing at the place itself
     const double enough = less * this->most * this->spacings[nearest];
     std::optional<FarFace> result = this->farPlace(middle, around, enough);
-    for (const Point& corner : corners)
+    for (const Point& place : this->placesOf(edge, corners, middle))
     {
-      for (const double t : { 1.0 / 3, 2.0 / 3, 1.0 })
+      const auto far = this->farPlace(place, around, enough);
+      if (far && (!result || far->distance > result->distance))
       {
-        const auto far = this->farPlace((1 - t) * middle + t * corner, around, enough);
-        if (far && (!result || far->distance > result->distance))
-        {
-          result = far;
-        }
+        result = far;
       }
     }
     return result;
@@ -125,6 +124,29 @@ private:
     const auto ball = [&](int k) { return this->frame.toLocal(this->balls.balls[cell[k]]); };
     return this->frame.toWorld(
       powerCenter({ ball(0), ball(1), ball(2), ball(3) }, constructionError));
+  }
+
+  /// Places all over the face between two balls, but for its middle.
+  std::vector<Point> placesOf(
+    const Edge& edge, std::vector<Point> corners, const Point& middle) const
+  {
+    const Point across = this->balls.balls[edge[1]].center - this->balls.balls[edge[0]].center;
+    const Point u = across.unitOrthogonal(), v = across.cross(u).normalized();
+    const auto angle = [&](const Point& p) {
+      return std::atan2((p - middle).dot(v), (p - middle).dot(u));
+    };
+    std::sort(corners.begin(), corners.end(),
+      [&](const Point& a, const Point& b) { return angle(a) < angle(b); });
+    std::vector<Point> result;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      const Point &corner = corners[i], &next = corners[(i + 1) % corners.size()];
+      result.push_back(corner);
+      result.emplace_back((corner + 2 * middle) / 3);
+      result.emplace_back((2 * corner + middle) / 3);
+      result.emplace_back((corner + next) / 2);
+    }
+    return result;
   }
 
   std::vector<Index> samplesOf(const Edge& edge) const

@@ -299,7 +299,8 @@ bool BoundarySampler::isAtSharpEdge(const Point& place, double distance) const
   return this->implementation->sharpEdges.distance(place) < distance;
 }
 
-Index BoundarySampler::add(const std::vector<Point>& places, BoundarySamples& samples) const
+Index BoundarySampler::add(
+  const std::vector<Point>& places, BoundarySamples& samples, double apart) const
 {
   const Implementation& known = *this->implementation;
   std::vector<SurfacePoint> found;
@@ -313,7 +314,6 @@ Index BoundarySampler::add(const std::vector<Point>& places, BoundarySamples& sa
   std::vector<char> isAdded(found.size(), 0);
   for (Index i = 0; i < count(found); ++i)
   {
-    constexpr double apart = 0.2; // spacings: less makes samples uneven, more leaves places far
     const double spacing = known.field.at(at[i]), near = apart * spacing;
     const std::vector<Index> around = candidates.within(i, near);
     if ((before[present.nearest(at[i], 1).front()] - at[i]).norm() >= near &&

@@ -66,8 +66,9 @@ public:
 
   /// Adds samples to those that were made: the points of the surface nearest to each place, and on the opposite
   /// side of it, where there is no sample yet.
-  /// @return  how many were added
-  Index add(const std::vector<Point>& places, BoundarySamples& samples) const;
+  /// @param apart  from other samples, in spacings
+  /// @return       how many were added
+  Index add(const std::vector<Point>& places, BoundarySamples& samples, double apart) const;
 
 private:
   struct Implementation;

@@ -255,23 +255,20 @@ TEST(ProvenSamples, HaveTheirCrustNearTheSurface)
   EXPECT_TRUE(farOf(made).empty());
 }
 
-/// Few do: samples are added. At one of these spacings they would be too near to others.
+/// Of wedges without pairs along their edges and with few samples, which show nothing of the edges.
 TEST(ProvenSamples, TellWhereTheirCrustStaysFarFromTheSurface)
 {
-  const Solid boxes(twoBoxes(0.1));
   int told = 0;
-  for (double spacing = 0.06; spacing < 0.2; spacing *= 1.1)
+  for (double degrees = 20; degrees < 90; degrees += 5)
   {
-    SCOPED_TRACE(testing::Message() << "spacing " << spacing);
-    SamplingOptions options = withSpacing(spacing, false);
+    SCOPED_TRACE(testing::Message() << degrees << " degrees");
+    const Solid wedge(meshes::wedge(degrees));
+    SamplingOptions options = withSpacing(0.3, false);
     options.sharpAngle = 180;
-    const ProvenSamples made = boxes.samples(options, 4);
-    const PolarBallsAndSamples balls = boxes.balls(made);
-    if (balls.powerShape != boxes.surface.measures.betti)
-    {
-      continue;
-    }
-    const auto far = medial::farFaces(balls.balls, made.samples.points, boxes.tree, 0.5);
+    const ProvenSamples made = wedge.samples(options, 4);
+    const PolarBallsAndSamples balls = wedge.balls(made);
+    ASSERT_EQ(balls.powerShape, wedge.surface.measures.betti);
+    const auto far = medial::farFaces(balls.balls, made.samples.points, wedge.tree, 0.5);
     ASSERT_EQ(made.warnings.size(), far.empty() ? 0 : 1);
     if (!far.empty())
     {
@@ -283,7 +280,7 @@ TEST(ProvenSamples, TellWhereTheirCrustStaysFarFromTheSurface)
         [&](const medial::FarFace& face) { return face.place == made.warnings[0].place; }));
     }
   }
-  EXPECT_EQ(told, 1);
+  EXPECT_GT(told, 0);
 }
 
 TEST(FarFaces, AreWhereSamplesAreTooFarApart)
