@@ -216,10 +216,7 @@ std::vector<Option> imageOptions(Arguments& arguments)
           arguments.smallestPiece = parseVoxels("--pieces", value);
         }
       } },
-    { "--gaussian", "R",
-      "smooths the voxels by a Gaussian of R voxels, at most 10 (default: 0.7); more where thin "
-      "walls of\n"
-      "the voxels leave knife edges that can't be sampled",
+    { "--gaussian", "R", "smooths the voxels by a Gaussian of R voxels, at most 10 (default: 0.7)",
       [&](const std::string& value) { arguments.gaussian = parseGaussian(value); } },
   };
 }
@@ -230,6 +227,11 @@ std::vector<Option> pruningOptions(Arguments& arguments)
   return {
     { "--output", "DIR", "where the results go (default: out)",
       [&](const std::string& value) { arguments.output = value; } },
+    { "--trim", "X",
+      "leaves out rims of the axis that small bumps of the surface make, up to an erosion "
+      "thickness of\n"
+      "X spacings of the samples (default: 0, none; 0.2 takes most of them)",
+      [&](const std::string& value) { arguments.trim = parseLength("--trim", value); } },
     { "--schedule", "\"W W ...\"", scheduleHelp(),
       [&](const std::string& value) { arguments.schedule = value; } },
     { "--automatic", "", "chooses the iterations from the data instead",

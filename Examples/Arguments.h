@@ -13,6 +13,7 @@ struct Arguments
   std::string output = "out";
   std::string schedule = "t5 t5 v1%";
   bool automatic = false; ///< choose the iterations from the data
+  double trim = 0;        ///< rims of the axis, in spacings
   bool splitAtNecks = false;
   bool keepTopology = true;
   std::vector<int> partsToRemove;

@@ -77,6 +77,7 @@ void setProperties(vtkSimplifyShape* simplify, const Arguments& arguments)
   boundary->SetSpacing(arguments.spacing);
   simplify->SetWrap(arguments.wrap);
   simplify->SetWrapWidth(arguments.wrapWidth);
+  simplify->SetTrim(arguments.trim);
   simplify->SetSplitAtNecks(arguments.splitAtNecks);
   vtkMedialPrune* prune = simplify->GetMedialPrune();
   // PartId in surface.vtp is that in pruned.vtp. The filter's own parts can differ where necks are cut,

@@ -109,14 +109,14 @@ class SimplifyShape(ProgramTest):
         self.assert_fails(1, ["'a'", "--remove-parts"], points, "--remove-parts", "1,a")
         self.assert_fails(1, ["no part 100000"], points, "--remove-parts", "100000")
         self.assert_fails(1, ["'--colour'"], points, "--colour")
-        self.assert_fails(1, ["--automatic", "--schedule"], points, "--automatic",
-                          "--schedule", "t1")
+        self.assert_fails(1, ["--automatic", "--schedule"], points, "--automatic", "--schedule", "t1")
         self.assert_fails(1, ["one input"], points, points)
 
-    def test_merge_tolerance_is_a_length(self):
+    def test_lengths_are_numbers_from_0_on(self):
         points = self.write_xyz(ellipsoid(100))
         for word in ("-1", "0,1", "much", "inf", "nan"):
-            self.assert_fails(1, ["--merge-tolerance", word], points, "--merge-tolerance", word)
+            for option in ("--merge-tolerance", "--trim"):
+                self.assert_fails(1, [option, word], points, option, word)
 
     def test_output_that_is_a_file_gives_2(self):
         points = self.write_xyz(ellipsoid(300))

@@ -66,6 +66,15 @@ class Outputs(ProgramTest):
     def assert_nothing_hidden(self, *visible):
         self.assertEqual(set(os.listdir(self.folder.name)), {"points.xyz", *visible})
 
+    def test_trim_leaves_the_surface(self):
+        points = self.write_xyz(ellipsoid())
+        whole, plain = self.simplify(points, "--schedule", "")
+        trimmed, out = self.simplify(points, "--schedule", "", "--trim", "0.5")
+        self.assertLess(trimmed["parts"], whole["parts"])
+        self.assertEqual(trimmed["verdict"]["name"], whole["verdict"]["name"])
+        with open(os.path.join(plain, "surface.stl"), "rb") as a, open(os.path.join(out, "surface.stl"), "rb") as b:
+            self.assertEqual(a.read(), b.read())
+
     def test_new_results_replace_all_old_ones_and_nothing_else(self):
         _, out = self.simplify(ellipsoid(300))
         self.write("out/overview.png", "of the old results")

@@ -38,7 +38,8 @@ int vtkMedialAxis::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
-      const medial::AxisOptions options{ static_cast<medial::AxisFallback>(this->Fallback) };
+      const medial::AxisOptions options{ static_cast<medial::AxisFallback>(this->Fallback),
+        this->Trim };
       const medial::PolarBalls polarBalls = medial::readPolarBalls(balls);
       execution.poll();
       const medial::MedialAxis axis = medial::medialAxis(polarBalls, options, execution);
@@ -51,4 +52,5 @@ void vtkMedialAxis::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Fallback: " << (this->Fallback == COLLAPSE ? "COLLAPSE" : "NEAREST") << "\n";
+  os << indent << "Trim: " << this->Trim << "\n";
 }

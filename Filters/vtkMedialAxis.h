@@ -105,6 +105,17 @@ public:
   void SetFallbackToNearest() { this->SetFallback(NEAREST); }
   ///@}
 
+  ///@{
+  /**
+   * Leave out rims of the axis up to this erosion thickness: long spikes, and sheets around round shafts, that small
+   * bumps of the surface make. In local spacings of the samples (mean distances from their six nearest), >= 0; 0.2
+   * takes most of them. The topology stays, and so does the solid: without pruning the surface is the same. What is
+   * left of a sheet that is thin everywhere is a line. Default 0: none.
+   */
+  vtkSetClampMacro(Trim, double, 0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Trim, double);
+  ///@}
+
 protected:
   vtkMedialAxis() = default;
   ~vtkMedialAxis() override = default;
@@ -120,6 +131,7 @@ private:
   void operator=(const vtkMedialAxis&) = delete;
 
   int Fallback = COLLAPSE;
+  double Trim = 0;
 };
 
 #endif

@@ -118,6 +118,16 @@ double vtkSimplifyShape::GetMergeTolerance()
   return this->Balls->GetMergeTolerance();
 }
 
+void vtkSimplifyShape::SetTrim(double trim)
+{
+  this->GetMedialAxis()->SetTrim(trim);
+}
+
+double vtkSimplifyShape::GetTrim()
+{
+  return this->GetMedialAxis()->GetTrim();
+}
+
 void vtkSimplifyShape::SetSplitAtNecks(bool split)
 {
   this->Prune->SetSplitAtNecks(split);

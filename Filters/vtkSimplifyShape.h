@@ -128,6 +128,15 @@ public:
 
   ///@{
   /**
+   * Leave out rims of the axis that small bumps of the surface make: see vtkMedialAxis. In local spacings of the
+   * samples. Default 0: none.
+   */
+  void SetTrim(double trim);
+  double GetTrim();
+  ///@}
+
+  ///@{
+  /**
    * Choose the iterations from the data, instead of the schedule: see vtkMedialPrune. Default off.
    */
   void SetAutomatic(bool automatic);

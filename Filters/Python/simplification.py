@@ -66,7 +66,7 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
              iso: float | None = None, label: float | None = None,
              spacing: Sequence[float] = (1, 1, 1),
              origin: Sequence[float] = (0, 0, 0),
-             normals: Any = None, clean: bool = False) -> Simplified:
+             normals: Any = None, clean: bool = False, trim: float = 0) -> Simplified:
     """Simplifies the solid that is given by an image, by a mesh, or by points of its boundary.
 
     Other threads of Python go on meanwhile. Ctrl-C stops it within a second.
@@ -94,6 +94,8 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
               points are the samples; None: those that the vtkPointSet has, if any
     clean     take outliers and noise from the points first, see vtkCleanScan; polygons are left out then.
               Other threads wait for that
+    trim      leave out rims of the axis that small bumps of the surface make, up to this erosion thickness in
+              spacings of the samples, see Trim of vtkMedialAxis; 0.2 takes most of them
     Raises ValueError where the points or the schedule can't be used; the message says why.
     Issues a MedialAxisWarning for each doubt, and where the surface is not certified.
     """
@@ -117,6 +119,7 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
         filter.SetMergeTolerance(merge_tolerance)
     if use_triangles is not None:
         filter.SetUseTriangles(filter.ON if use_triangles else filter.OFF)
+    filter.SetTrim(trim)
     filter.SetWrap(wrap is not False)
     filter.SetWrapWidth(0 if isinstance(wrap, bool) else wrap)
     if isinstance(schedule, str):

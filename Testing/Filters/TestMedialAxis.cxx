@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTest.h"
+#include "vtkSimplifyShape.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -124,6 +125,44 @@ TEST(MedialAxis, RunsAgainWhenTheFallbackChanges)
   EXPECT_GT(filter->GetMTime(), before);
   filter->SetFallback(77);
   EXPECT_EQ(filter->GetFallback(), vtkMedialAxis::NEAREST);
+}
+
+TEST(MedialAxis, IsTrimmedOnRequest)
+{
+  vtkNew<vtkMedialAxis> filter;
+  EXPECT_EQ(filter->GetTrim(), 0);
+  filter->SetTrim(-1);
+  EXPECT_EQ(filter->GetTrim(), 0);
+  filter->SetInputConnection(boxPipeline().balls->GetOutputPort());
+  filter->Update();
+  const vtkIdType whole = filter->GetOutput()->GetNumberOfCells();
+  filter->SetTrim(1);
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_LT(filter->GetOutput()->GetNumberOfCells(), whole);
+  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("Certificate")->GetTuple1(0), 1);
+}
+
+/// Balls of what was trimmed share the fate of others.
+TEST(MedialAxis, LeavesTheSurfaceWhereItIsTrimmed)
+{
+  vtkNew<vtkSimplifyShape> simplify;
+  simplify->SetInputData(filterTest::cloud(filterTest::smallBox().samples));
+  simplify->SetSchedule("");
+  simplify->Update();
+  vtkNew<vtkPolyData> whole;
+  whole->DeepCopy(simplify->GetOutput());
+  const vtkIdType cells =
+    vtkPolyData::SafeDownCast(simplify->GetOutputDataObject(1))->GetNumberOfCells();
+  simplify->SetTrim(0.5);
+  simplify->Update();
+  vtkPolyData* axis = vtkPolyData::SafeDownCast(simplify->GetOutputDataObject(1));
+  EXPECT_LT(axis->GetNumberOfCells(), cells);
+  ASSERT_EQ(simplify->GetOutput()->GetNumberOfPoints(), whole->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < whole->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(medial::Point(simplify->GetOutput()->GetPoint(i)), medial::Point(whole->GetPoint(i)));
+  }
 }
 
 TEST(MedialAxis, RefusesBallsThatAreAllOutside)

@@ -122,6 +122,9 @@ TEST(SimplifyShape, PassesItsScheduleOn)
   EXPECT_EQ(simplify->GetScheduleWords(), "t3x1 t4x2 t5x1");
   simplify->SetMergeTolerance(0.25);
   EXPECT_EQ(simplify->GetMergeTolerance(), 0.25);
+  simplify->SetTrim(0.5);
+  EXPECT_EQ(simplify->GetTrim(), 0.5);
+  EXPECT_EQ(simplify->GetMedialAxis()->GetTrim(), 0.5);
   simplify->WrapOn();
   simplify->SetWrapWidth(0.5);
   EXPECT_TRUE(simplify->GetWrap() && simplify->GetBoundarySamples()->GetWrap());

@@ -74,6 +74,11 @@ class Simplify(unittest.TestCase):
         listed = simplify(ellipsoid(400).tolist())
         self.assertEqual(arrays(listed.history)["Threshold"].tolist(), [5, 5, 0.01])
 
+    def test_trims_the_axis(self):
+        whole, trimmed = simplify(ellipsoid(), ""), simplify(ellipsoid(), "", trim=0.5)
+        self.assertLess(len(arrays(trimmed.axis)["ErosionThickness"]), len(arrays(whole.axis)["ErosionThickness"]))
+        numpy.testing.assert_array_equal(arrays(trimmed.surface)["points"], arrays(whole.surface)["points"])
+
     def test_merges_near_duplicates(self):
         points = ellipsoid(400)
         twice = numpy.concatenate([points, points + [5e-3, 0, 0]])  # a fiftieth of the spacing

@@ -7,14 +7,17 @@
 #include "Axis/Erosion.h"
 #include "Axis/GapFilling.h"
 #include "Axis/PieceRepair.h"
+#include "Axis/RimTrimming.h"
 #include "Axis/ShapeCollapse.h"
 #include "Axis/SingularPoints.h"
 #include "Axis/SiteTriangulation.h"
 #include "Balls/PowerShape.h"
 #include "Base/Frame.h"
 #include "Base/Lists.h"
+#include "Base/Neighbors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -134,28 +137,50 @@ IndexLists neighbors(const PolarBalls& polarBalls, const std::vector<Index>& inn
   return result;
 }
 
-/// Each ball on the axis owns itself; an inner ball off it belongs to the ball, among those that share
-/// a sample and have an owner, that it intersects most deeply. Those far off take several rounds.
-std::vector<Index> owners(
-  const PolarBalls& polarBalls, const std::vector<Index>& ballOfPoint, const Execution& execution)
+/// The inner balls next to each of some in the power diagram.
+IndexLists adjacent(const PolarBalls& polarBalls, const std::vector<Index>& innerBalls)
 {
-  std::vector<Index> owner(polarBalls.balls.size(), None);
-  for (const Index b : ballOfPoint)
+  std::vector<Index> place(polarBalls.balls.size(), None);
+  for (Index i = 0; i < count(innerBalls); ++i)
   {
-    if (b != None)
-    {
-      owner[b] = b;
-    }
+    place[innerBalls[i]] = i;
   }
-  std::vector<Index> todo;
+  return listsByKey(count(innerBalls), [&](const auto& add) {
+    for (const Tetrahedron& cell : polarBalls.triangulation.cells)
+    {
+      for (const Index a : cell)
+      {
+        for (const Index b : cell)
+        {
+          if (place[a] != None && a != b && polarBalls.sides[b] == Side::Inner)
+          {
+            add(place[a], b);
+          }
+        }
+      }
+    }
+  });
+}
+
+/// The inner balls that have no owner yet.
+std::vector<Index> unowned(const PolarBalls& polarBalls, const std::vector<Index>& owner)
+{
+  std::vector<Index> result;
   for (Index b = 0; b < count(owner); ++b)
   {
     if (owner[b] == None && polarBalls.sides[b] == Side::Inner)
     {
-      todo.push_back(b);
+      result.push_back(b);
     }
   }
-  const IndexLists around = neighbors(polarBalls, todo);
+  return result;
+}
+
+/// Gives balls the owner of that ball around them which they intersect most deeply, as far as owners reach; those far
+/// off take several rounds.
+void spreadOwners(const PolarBalls& polarBalls, const std::vector<Index>& todo,
+  const IndexLists& around, std::vector<Index>& owner, const Execution& execution)
+{
   for (bool changed = true; changed;)
   {
     changed = false;
@@ -176,7 +201,51 @@ std::vector<Index> owners(
       }
     }
   }
+}
+
+/// Each ball on the axis owns itself; an inner ball off it belongs to one that shares a sample with it and has an
+/// owner. Where samples are regular, balls share none: these belong to one next to them in the power diagram.
+std::vector<Index> owners(
+  const PolarBalls& polarBalls, const std::vector<Index>& ballOfPoint, const Execution& execution)
+{
+  std::vector<Index> owner(polarBalls.balls.size(), None);
+  for (const Index b : ballOfPoint)
+  {
+    if (b != None)
+    {
+      owner[b] = b;
+    }
+  }
+  std::vector<Index> todo = unowned(polarBalls, owner);
+  spreadOwners(polarBalls, todo, neighbors(polarBalls, todo), owner, execution);
+  todo = unowned(polarBalls, owner);
+  if (!todo.empty())
+  {
+    spreadOwners(polarBalls, todo, adjacent(polarBalls, todo), owner, execution);
+  }
   return owner;
+}
+
+/// How far samples are apart at each cell: at its sites, or else at the samples nearest to its corners, which the maximal
+/// balls there touch; the smallest.
+std::vector<double> spacingsAtCells(
+  const AxisComplex& axis, const PolarBalls& polarBalls, const Execution& execution)
+{
+  const Neighbors neighbors(polarBalls.samples);
+  const std::vector<double> spacings = meanDistances(polarBalls.samples, neighbors, execution);
+  std::vector<double> result(axis.cells.size(), std::numeric_limits<double>::infinity());
+  execution.forEach(axis.cells.size(), [&](Index c) {
+    const auto take = [&](Index sample) {
+      result[c] = sample == None ? result[c] : std::min(result[c], spacings[sample]);
+    };
+    std::for_each(axis.samplesOfCell[c].begin(), axis.samplesOfCell[c].end(), take);
+    if (std::isinf(result[c]))
+    {
+      forPoints(
+        axis.cells, c, [&](Index p) { take(neighbors.nearest(axis.points[p], 1).front()); });
+    }
+  });
+  return result;
 }
 }
 
@@ -216,6 +285,10 @@ MedialAxis medialAxis(
       "no ball is inside the solid: the samples don't enclose one, or there are too "
       "few of them to tell");
   }
+  if (!(options.trim >= 0))
+  {
+    throw InvalidInput("the trim must be 0 or more, it is ", options.trim);
+  }
   const PowerShape shape = powerShape(polarBalls, execution.between(0, 0.1));
   MedialAxis axis = SiteAxes(polarBalls, shape, execution.between(0.1, 0.9)).best();
   if (axis.betti != shape.betti && options.fallback == AxisFallback::Collapse)
@@ -227,13 +300,20 @@ MedialAxis medialAxis(
     axis.kappa = -1;
     axis.filledGaps = 0;
   }
+  Erosion thickness = erosion(axis, execution);
+  if (options.trim > 0)
+  {
+    static_cast<AxisComplex&>(axis) = trimmedRims(
+      axis, thickness, spacingsAtCells(axis, polarBalls, execution), options.trim, execution);
+    axis.betti = bettiNumbers(axis.cells);
+    thickness = erosion(axis, execution);
+  }
   axis.sampleDiagonal = boundingBox(polarBalls.samples).diagonal().norm();
   axis.powerShapeBetti = shape.betti;
   axis.certificate = axis.betti == shape.betti;
   axis.ballOwner = owners(polarBalls, axis.ballOfPoint, execution);
   axis.ballVolumes = polarBalls.volumes;
   axis.poleVolumes = polarBalls.poleVolumes;
-  Erosion thickness = erosion(axis, execution);
   axis.erosion = std::move(thickness.ofPoint);
   axis.cellErosion = std::move(thickness.ofCell);
   execution.report(1);

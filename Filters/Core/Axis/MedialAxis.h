@@ -47,12 +47,16 @@ enum class AxisFallback
 struct AxisOptions
 {
   AxisFallback fallback = AxisFallback::Collapse;
+
+  /// Rims up to this erosion thickness are left out, see RimTrimming.h: in local spacings of the samples, the mean
+  /// distances from their six nearest; 0: none. The solid stays: balls left out share the fate of others.
+  double trim = 0;
 };
 
 /// The medial axis (paper 3) as Voronoi faces of the singular points inside the shape, triangulated,
 /// without duplicate vertices, with the Betti numbers of the power shape as certificate.
 ///
-/// @throw InvalidInput  no inner balls, or cells that are no triangulation
+/// @throw InvalidInput  no inner balls, cells that are no triangulation, or a negative trim
 /// @throw Aborted
 MedialAxis medialAxis(
   const PolarBalls& polarBalls, const AxisOptions& options = {}, const Execution& execution = {});

@@ -49,23 +49,6 @@ std::vector<EdgeCell> oddEdges(const PolarBalls& balls)
   return result;
 }
 
-/// Mean distance of each sample from its six nearest.
-std::vector<double> spacingsOf(
-  const std::vector<Point>& samples, const Neighbors& neighbors, const Execution& execution)
-{
-  std::vector<double> result(samples.size());
-  execution.forEach(count(samples), [&](Index s) {
-    const std::vector<Index> near = neighbors.nearest(s, 6);
-    double sum = 0;
-    for (const Index other : near)
-    {
-      sum += (samples[other] - samples[s]).norm();
-    }
-    result[s] = sum / count(near);
-  });
-  return result;
-}
-
 /// Measures how far places are from the surface.
 class Distances
 {
@@ -79,7 +62,7 @@ public:
     , most(theMost)
     , isLeftOut(theLeftOut)
     , neighbors(theBalls.samples)
-    , spacings(spacingsOf(theBalls.samples, this->neighbors, execution))
+    , spacings(meanDistances(theBalls.samples, this->neighbors, execution))
     , frame(frameOf(theBalls.samples))
   {
   }

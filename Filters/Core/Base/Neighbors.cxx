@@ -102,4 +102,18 @@ std::vector<Index> Neighbors::within(const Point& place, double distance) const
   }
   return result;
 }
+
+std::vector<double> meanDistances(
+  const std::vector<Point>& points, const Neighbors& neighbors, const Execution& execution)
+{
+  std::vector<double> result(points.size(), 0);
+  execution.forEach(count(points), [&](Index i) {
+    const std::vector<Index> near = neighbors.nearest(i, 6);
+    for (const Index other : near)
+    {
+      result[i] += (points[other] - points[i]).norm() / count(near);
+    }
+  });
+  return result;
+}
 }

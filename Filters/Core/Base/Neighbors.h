@@ -2,6 +2,7 @@
 #ifndef medial_Neighbors_h
 #define medial_Neighbors_h
 
+#include "Base/Execution.h"
 #include "Base/Types.h"
 
 #include <memory>
@@ -34,6 +35,11 @@ private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation;
 };
+
+/// Mean distance of each point from its six nearest; 0 where there is no other one.
+/// @param neighbors  of the points
+std::vector<double> meanDistances(
+  const std::vector<Point>& points, const Neighbors& neighbors, const Execution& execution = {});
 }
 
 #endif
