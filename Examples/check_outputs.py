@@ -67,7 +67,7 @@ class Outputs(ProgramTest):
         self.assertEqual(set(os.listdir(self.folder.name)), {"points.xyz", *visible})
 
     def test_trim_leaves_the_surface(self):
-        points = self.write_xyz(ellipsoid())
+        points = ellipsoid()
         whole, plain = self.simplify(points, "--schedule", "")
         trimmed, out = self.simplify(points, "--schedule", "", "--trim", "0.5")
         self.assertLess(trimmed["parts"], whole["parts"])

@@ -110,7 +110,8 @@ public:
    * Leave out rims of the axis up to this erosion thickness: long spikes, and sheets around round shafts, that small
    * bumps of the surface make. In local spacings of the samples (mean distances from their six nearest), >= 0; 0.2
    * takes most of them. The topology stays, and so does the solid: without pruning the surface is the same. What is
-   * left of a sheet that is thin everywhere is a line. Default 0: none.
+   * left of a sheet that is thin everywhere is a line. At sharp corners, where sheets meet, it may join two of them.
+   * Default 0: none.
    */
   vtkSetClampMacro(Trim, double, 0, VTK_DOUBLE_MAX);
   vtkGetMacro(Trim, double);
