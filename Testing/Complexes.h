@@ -122,6 +122,20 @@ public:
   AxisCells cells;
 };
 
+/// A box's faces as one closed sheet of that many squares in each direction.
+inline Drawing closedSheet(int width)
+{
+  Drawing drawing;
+  const Point x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  for (const int side : { 0, width })
+  {
+    drawing.sheet(side * z, x, y, width, width);
+    drawing.sheet(side * y, x, z, width, width);
+    drawing.sheet(side * x, y, z, width, width);
+  }
+  return drawing;
+}
+
 /// Paper Figure 7, left: three sheets that meet along one line. The parts form a cycle but no loop.
 inline Drawing cycleWithoutLoop()
 {

@@ -41,19 +41,6 @@ Drawing junction()
   return drawing;
 }
 
-Drawing closedSheet()
-{
-  Drawing drawing;
-  const Point x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  for (int side = 0; side < 2; ++side)
-  {
-    drawing.sheet(side * z, x, y, 1, 1);
-    drawing.sheet(side * y, x, z, 1, 1);
-    drawing.sheet(side * x, y, z, 1, 1);
-  }
-  return drawing;
-}
-
 /// The diagonal of the bounding box of balls of radius 1 at the corners of a box.
 double diagonalOf(const Point& size)
 {
@@ -224,7 +211,7 @@ TEST(Erosion, PassesFromASheetIntoALine)
 
 TEST(Erosion, OfAClosedSheetIsTheDiagonal)
 {
-  Drawing drawing = closedSheet();
+  Drawing drawing = complexes::closedSheet(1);
   for (const double value : medial::erosion(drawing.axis()).ofPoint)
   {
     EXPECT_EQ(value, diagonalOf(Point(1, 1, 1)));

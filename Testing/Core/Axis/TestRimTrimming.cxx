@@ -113,15 +113,7 @@ TEST(RimTrimming, TakesASpikeAltogether)
 
 TEST(RimTrimming, LeavesAClosedSheet)
 {
-  Drawing drawing;
-  const Point x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  for (int side = 0; side < 2; ++side)
-  {
-    drawing.sheet(side * z, x, y, 1, 1);
-    drawing.sheet(side * y, x, z, 1, 1);
-    drawing.sheet(side * x, y, z, 1, 1);
-  }
-  const MedialAxis axis = drawing.axis();
+  const MedialAxis axis = complexes::closedSheet(1).axis();
   EXPECT_EQ(trimmed(axis, 0.5).cells.triangles, axis.cells.triangles);
 }
 

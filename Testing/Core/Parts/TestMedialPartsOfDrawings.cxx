@@ -17,23 +17,6 @@ using medial::MedialParts;
 using medial::None;
 using medial::Point;
 
-namespace
-{
-/// A box's faces as one closed sheet.
-Drawing closedSheet()
-{
-  Drawing drawing;
-  const Point x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  drawing.sheet(Point(0, 0, 0), x, y, 3, 3);
-  drawing.sheet(Point(0, 0, 3), x, y, 3, 3);
-  drawing.sheet(Point(0, 0, 0), x, z, 3, 3);
-  drawing.sheet(Point(0, 3, 0), x, z, 3, 3);
-  drawing.sheet(Point(0, 0, 0), y, z, 3, 3);
-  drawing.sheet(Point(3, 0, 0), y, z, 3, 3);
-  return drawing;
-}
-}
-
 TEST(MedialParts, OfFigure7LeftMeetAlongOneCurve)
 {
   const MedialAxis axis = complexes::cycleWithoutLoop().axis();
@@ -109,7 +92,7 @@ TEST(MedialParts, MayTouchInAPoint)
 
 TEST(MedialParts, OfAClosedSheetHaveNoLevel)
 {
-  const MedialParts parts = medial::decompose(closedSheet().axis());
+  const MedialParts parts = medial::decompose(complexes::closedSheet(3).axis());
   ASSERT_EQ(parts.parts.size(), 1u);
   EXPECT_EQ(parts.parts[0].level, 0);
   EXPECT_NEAR(parts.value(medial::Measure::Area, 0), 54, 1e-9);
@@ -118,7 +101,7 @@ TEST(MedialParts, OfAClosedSheetHaveNoLevel)
 
 TEST(MedialParts, BehindAFinAreOfLevelTwo)
 {
-  Drawing drawing = closedSheet();
+  Drawing drawing = complexes::closedSheet(3);
   drawing.sheet(Point(0, 0, 1), Point(0, 0, 1), Point(-1, -1, 0), 1, 1);
   const MedialParts parts = medial::decompose(drawing.axis());
   ASSERT_EQ(parts.parts.size(), 2u);
@@ -128,7 +111,7 @@ TEST(MedialParts, BehindAFinAreOfLevelTwo)
 
 TEST(MedialParts, AboveTheMaximumLevelHaveNone)
 {
-  Drawing drawing = closedSheet();
+  Drawing drawing = complexes::closedSheet(3);
   drawing.sheet(Point(0, 0, 1), Point(0, 0, 1), Point(-1, -1, 0), 1, 1);
   const MedialAxis axis = drawing.axis();
   const MedialParts parts = medial::decompose(axis, 1);
@@ -216,5 +199,5 @@ TEST(MedialParts, KnowTheirNeighborsAndTheLoop)
     EXPECT_FALSE(part.onLoop);
     EXPECT_EQ(part.neighbors, 2);
   }
-  EXPECT_EQ(medial::decompose(closedSheet().axis()).parts[0].neighbors, 0);
+  EXPECT_EQ(medial::decompose(complexes::closedSheet(3).axis()).parts[0].neighbors, 0);
 }
