@@ -98,13 +98,20 @@ VoxelMask repairValues(
   return mask;
 }
 
+std::vector<Point> pointsOf(vtkPolyData* surface)
+{
+  std::vector<Point> result;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    result.emplace_back(surface->GetPoint(i));
+  }
+  return result;
+}
+
 MaskSurface read(vtkPolyData* surface)
 {
   MaskSurface result;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    result.points.emplace_back(surface->GetPoint(i));
-  }
+  result.points = pointsOf(surface);
   const auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
   {
@@ -158,7 +165,7 @@ MaskSurface maskSurface(vtkAlgorithm* filter, const VoxelMask& mask,
   if (smoothing.iterations > 0)
   {
     constexpr double thick = 4; // voxels: smoothing moves nothing by a voxel
-    result.points = withThicknessKept(result.points, read(smooth->GetOutput()).points,
+    result.points = withThicknessKept(result.points, pointsOf(smooth->GetOutput()),
       result.triangles, thick, execution.between(0.8, 1));
   }
   result.mask = std::move(enclosed);

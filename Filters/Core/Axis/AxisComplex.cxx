@@ -11,6 +11,13 @@ double triangleArea(const AxisComplex& axis, const Triangle& corners)
   return 0.5 * (axis.points[corners[1]] - a).cross(axis.points[corners[2]] - a).norm();
 }
 
+void appendCellData(const AxisComplex& from, Index cell, AxisComplex& to)
+{
+  to.polygonOfCell.push_back(from.polygonOfCell[cell]);
+  to.samplesOfCell.push_back(from.samplesOfCell[cell]);
+  to.siteViews.push_back(from.siteViews[cell]);
+}
+
 std::vector<Ball> cornerBalls(const AxisComplex& axis, Index cell)
 {
   std::vector<Ball> result;

@@ -147,10 +147,9 @@ void append(const Chosen& chosen, Index begin, Index end, Index firstPolygon, Po
   const auto last = std::lower_bound(first, chosen.cells.end(), end);
   std::for_each(first, last, [&](Index cell) {
     append(chosen.axis.cells, cell, numbers, to.cells);
-    const Index polygon = chosen.axis.polygonOfCell[cell];
-    to.polygonOfCell.push_back(polygon == None ? None : firstPolygon + polygon);
-    to.samplesOfCell.push_back(chosen.axis.samplesOfCell[cell]);
-    to.siteViews.push_back(chosen.axis.siteViews[cell]);
+    appendCellData(chosen.axis, cell, to);
+    Index& polygon = to.polygonOfCell.back();
+    polygon = polygon == None ? None : firstPolygon + polygon;
   });
 }
 

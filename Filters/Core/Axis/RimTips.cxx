@@ -39,7 +39,7 @@ bool RimTips::mayGo(Index end, Index to, double most) const
   return !this->isLastBall(end) && this->thickness(end, to) <= most;
 }
 
-bool RimTips::mayGoOfTriangles(Index end, Index to, double most) const
+bool RimTips::mayGoFromSheet(Index end, Index to, double most) const
 {
   constexpr double crooked = 2, inBall = 0.5;
   return this->mayGo(end, to, std::max(crooked * most, inBall * this->axis.radii[to]));

@@ -24,10 +24,9 @@ public:
   /// @param most  erosion thickness
   bool mayGo(Index end, Index to, double most) const;
 
-  /// The same for a line that is left of triangles.
-  /// @param most  twice that, since it is crooked; or half the radius at the other end, since the tip's ball adds little
-  ///              to that one
-  bool mayGoOfTriangles(Index end, Index to, double most) const;
+  /// The same while the sheet that a line is left of is still being trimmed at its other end: twice as much, since the
+  /// line is crooked, or half the radius there, since the tip's ball adds little to that one.
+  bool mayGoFromSheet(Index end, Index to, double most) const;
 
   /// A line goes with its free end.
   void go(Index end, Index to);

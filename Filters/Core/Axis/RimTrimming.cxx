@@ -90,17 +90,12 @@ public:
     result.radii = this->axis.radii;
     result.ballOfPoint = this->axis.ballOfPoint;
     std::vector<double> mostOfLines;
-    const auto keep = [&](Index cell) {
-      result.polygonOfCell.push_back(this->axis.polygonOfCell[cell]);
-      result.samplesOfCell.push_back(this->axis.samplesOfCell[cell]);
-      result.siteViews.push_back(this->axis.siteViews[cell]);
-    };
     const AxisCells& cells = this->axis.cells;
     result.cells.vertices = cells.vertices;
     result.cells.edges = cells.edges;
     for (Index c = 0; c < cells.firstTriangle(); ++c)
     {
-      keep(c);
+      appendCellData(this->axis, c, result);
     }
     for (Index c = cells.firstEdge(); c < cells.firstTriangle(); ++c)
     {
@@ -110,13 +105,11 @@ public:
     {
       if (this->lastAtEdge[e] != None && this->isThere[e] && this->atEdge[e] == 0)
       {
-        const Edge& ends = this->edges.points[e];
-        result.cells.edges.push_back(ends);
+        const Index line = result.cells.firstTriangle();
+        result.cells.edges.push_back(this->edges.points[e]);
         result.polygonOfCell.push_back(None);
         result.samplesOfCell.push_back({ None, None });
-        result.siteViews.push_back(
-          siteView({ { this->axis.points[ends[0]], this->axis.radii[ends[0]] },
-            { this->axis.points[ends[1]], this->axis.radii[ends[1]] } }));
+        result.siteViews.push_back(siteView(cornerBalls(result, line)));
         mostOfLines.push_back(this->mostOf(this->lastAtEdge[e]));
       }
     }
@@ -125,7 +118,7 @@ public:
       if (this->isLeft[t])
       {
         result.cells.triangles.push_back(cells.triangles[t]);
-        keep(cells.firstTriangle() + t);
+        appendCellData(this->axis, cells.firstTriangle() + t, result);
       }
     }
     return { std::move(result), std::move(mostOfLines) };
@@ -201,7 +194,7 @@ private:
     const auto [a, b] = this->edges.points[tip.numbers];
     const Index to = a == point ? b : a;
     if (this->atPoint[to].triangles > 0 &&
-      this->tips.mayGoOfTriangles(point, to, this->mostOf(this->lastAtEdge[tip.numbers])))
+      this->tips.mayGoFromSheet(point, to, this->mostOf(this->lastAtEdge[tip.numbers])))
     {
       this->tips.go(point, to);
       this->takeEdge(tip.numbers);
@@ -228,13 +221,11 @@ class LineTrimming
 {
 public:
   /// @param mostOfLines  for each dangling edge how thick it may be
-  /// @param first        line that is left of triangles
   /// @param uses         for each point how many cells have it; those of what goes are taken off
-  LineTrimming(const AxisComplex& theAxis, const std::vector<double>& mostOfLines, Index first,
-    RimTips& theTips, std::vector<Index>& uses)
+  LineTrimming(const AxisComplex& theAxis, const std::vector<double>& mostOfLines, RimTips& theTips,
+    std::vector<Index>& uses)
     : axis(theAxis)
     , most(mostOfLines)
-    , firstOfTriangles(first)
     , tips(theTips)
     , usesOfPoint(uses)
     , linesAtPoint(listsByKey(count(uses),
@@ -290,8 +281,7 @@ private:
 
   bool mayGo(Index line, Index from) const
   {
-    return this->most[line] > 0 &&
-      this->tips.mayGo(from, this->other(line, from), this->most[line]);
+    return this->tips.mayGo(from, this->other(line, from), this->most[line]);
   }
 
   void offer(Index point)
@@ -315,7 +305,6 @@ private:
 
   const AxisComplex& axis;
   const std::vector<double>& most;
-  Index firstOfTriangles;
   RimTips& tips;
   std::vector<Index>& usesOfPoint;
   IndexLists linesAtPoint;
@@ -340,29 +329,24 @@ AxisComplex compact(const AxisComplex& axis, const std::vector<char>& isLineLeft
     }
   }
   const AxisCells& cells = axis.cells;
-  const auto keep = [&](Index cell) {
-    result.polygonOfCell.push_back(axis.polygonOfCell[cell]);
-    result.samplesOfCell.push_back(axis.samplesOfCell[cell]);
-    result.siteViews.push_back(axis.siteViews[cell]);
-  };
   for (Index v = 0; v < count(cells.vertices); ++v)
   {
     result.cells.vertices.push_back(number[cells.vertices[v]]);
-    keep(v);
+    appendCellData(axis, v, result);
   }
   for (Index i = 0; i < count(cells.edges); ++i)
   {
     if (isLineLeft[i])
     {
       result.cells.edges.push_back({ number[cells.edges[i][0]], number[cells.edges[i][1]] });
-      keep(cells.firstEdge() + i);
+      appendCellData(axis, cells.firstEdge() + i, result);
     }
   }
   for (Index t = 0; t < count(cells.triangles); ++t)
   {
     const auto& [a, b, c] = cells.triangles[t];
     result.cells.triangles.push_back({ number[a], number[b], number[c] });
-    keep(cells.firstTriangle() + t);
+    appendCellData(axis, cells.firstTriangle() + t, result);
   }
   return result;
 }
@@ -381,8 +365,7 @@ AxisComplex trimmedRims(const AxisComplex& axis, const Erosion& erosion,
   {
     forPoints(rest.cells, c, [&uses = usesOfPoint](Index p) { ++uses[p]; });
   }
-  const std::vector<char> isLineLeft =
-    LineTrimming(rest, mostOfLines, count(axis.cells.edges), tips, usesOfPoint).run();
+  const std::vector<char> isLineLeft = LineTrimming(rest, mostOfLines, tips, usesOfPoint).run();
   return compact(rest, isLineLeft, usesOfPoint);
 }
 }

@@ -104,8 +104,13 @@ private:
     std::array<Index, 2> least = badness(faces);
     for (int round = 0; round < rounds && !left.empty(); ++round)
     {
-      if (this->sampler.add(placesOf(left), tried, aparts[round % aparts.size()]) == 0)
+      const double apart = aparts[round % aparts.size()];
+      if (this->sampler.add(placesOf(left), tried, apart) == 0)
       {
+        if (apart == aparts.back())
+        {
+          break; // nor is there room for one farther from others
+        }
         continue;
       }
       left = this->farFacesAround(left, balls, tried, execution);

@@ -86,6 +86,7 @@ private:
 
   /// Adds the edges with other groups to the lengths of the pairs that are known.
   void addSeams(PairLengths& lengths);
+
   void joinAtPoint(Index point);
 
   /// Are they of one body?
