@@ -87,8 +87,15 @@ int parseThreads(const std::string& word)
 /// Describes the words of a schedule, from the filter's table of measures.
 std::string scheduleHelp()
 {
-  std::string text = "the iterations of pruning, in order (default: \"t5 t5 v1%\").\n"
-                     "Each word removes the parts with at most the value N, P or X as\n";
+  std::string text = "the iterations of pruning, in order; or the name of a preset:\n";
+  for (int preset = 0; vtkMedialPrune::GetPresetName(preset); ++preset)
+  {
+    const std::string name = vtkMedialPrune::GetPresetName(preset);
+    text += "  " + name + (preset == 0 ? " (default)" : "") + ", \"" +
+      vtkMedialPrune::GetPresetWords(preset) + "\":\n    " +
+      vtkMedialPrune::GetPresetDescription(preset) + '\n';
+  }
+  text += "Each word removes the parts with at most the value N, P or X as\n";
   for (int measure = 0; vtkMedialPrune::GetMeasureName(measure); ++measure)
   {
     std::string word = "  " + vtkMedialPrune::GetMeasureWord(measure);
@@ -96,8 +103,9 @@ std::string scheduleHelp()
     text += word + vtkMedialPrune::GetMeasureDescription(measure) + '\n';
   }
   return text +
-    "Lengths and areas are in the unit of the samples; a length with %\n"
-    "is in per cent of the diagonal of the samples' bounding box.\n"
+    "Lengths and areas are in the unit of the samples; a length with s\n"
+    "is in mean sample spacings, with % in per cent of the diagonal of\n"
+    "the samples' bounding box.\n"
     "x and a number at the end limit the passes: t5x1.\n"
     "An empty schedule prunes nothing.";
 }

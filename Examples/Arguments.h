@@ -11,7 +11,7 @@ struct Arguments
 {
   std::string input;
   std::string output = "out";
-  std::string schedule = "t5 t5 v1%";
+  std::string schedule = "noise";
   bool automatic = false; ///< choose the iterations from the data
   double trim = 0;        ///< rims of the axis, in spacings
   bool splitAtNecks = false;

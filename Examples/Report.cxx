@@ -268,13 +268,17 @@ std::string scheduleLines(vtkSimplifyShape* simplify)
 std::string surfaceLine(vtkSimplifyShape* simplify)
 {
   vtkPolyData* surface = simplify->GetPowerCrust()->GetOutput();
+  const auto inSpacings = [surface](const char* moved) {
+    return fieldValue(surface, moved) / fieldValue(surface, "SampleSpacing");
+  };
   std::ostringstream out;
   out << "  surface   " << grouped(surface->GetNumberOfPolys()) << " faces, "
       << (fieldValue(surface, "Closed") != 0 ? "closed" : "NOT CLOSED") << ", " << std::fixed
       << std::setprecision(2)
       << 100 * fieldValue(surface, "Volume") /
       fieldValue(simplify->GetUnprunedPowerCrust()->GetOutput(), "Volume")
-      << " % of the volume before\n";
+      << " % of the volume before, moved by " << inSpacings("MovedBy")
+      << " spacings at 99 % of the samples, " << inSpacings("MovedAtMost") << " at most\n";
   return out.str();
 }
 
@@ -352,6 +356,15 @@ std::string report(
             { "crustBefore",
               number(fieldValue(simplify->GetUnprunedPowerCrust()->GetOutput(), "Volume")) },
             { "crustAfter", number(fieldValue(simplify->GetPowerCrust()->GetOutput(), "Volume")) },
+          }) },
+        { "moved",
+          inBraces({
+            { "percentile99",
+              number(fieldValue(simplify->GetPowerCrust()->GetOutput(), "MovedBy")) },
+            { "largest",
+              number(fieldValue(simplify->GetPowerCrust()->GetOutput(), "MovedAtMost")) },
+            { "spacing",
+              number(fieldValue(simplify->GetPowerCrust()->GetOutput(), "SampleSpacing")) },
           }) },
         { "seconds", times(simplify, progress, total) },
         { "peakMemoryMiB", number(peakMemoryMiB()) },

@@ -39,7 +39,7 @@ struct vtkMedialPrune::vtkLists
   medial::PruneIteration Iteration(int number) const
   {
     const bool exists = number >= 0 && number < static_cast<int>(this->Schedule.size());
-    return exists ? this->Schedule[number] : medial::PruneIteration{ {}, 0, 0, false };
+    return exists ? this->Schedule[number] : medial::PruneIteration{ {}, 0, 0 };
   }
 };
 
@@ -71,6 +71,12 @@ std::string text(const char* characters)
 {
   return characters ? characters : "";
 }
+
+const medial::SchedulePreset* presetOf(int number)
+{
+  const std::vector<medial::SchedulePreset>& all = medial::schedulePresets();
+  return number >= 0 && number < static_cast<int>(all.size()) ? &all[number] : nullptr;
+}
 }
 
 vtkStandardNewMacro(vtkMedialPrune);
@@ -82,7 +88,7 @@ vtkMedialPrune::vtkMedialPrune()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
-  this->SetSchedule("t5 t5 v1%");
+  this->SetSchedule(medial::defaultSchedule());
 }
 
 vtkMedialPrune::~vtkMedialPrune() = default;
@@ -120,6 +126,24 @@ std::string vtkMedialPrune::GetScheduleWords() const
   return medial::scheduleWords(this->Lists->Schedule);
 }
 
+const char* vtkMedialPrune::GetPresetName(int preset)
+{
+  const medial::SchedulePreset* found = presetOf(preset);
+  return found ? found->name : nullptr;
+}
+
+const char* vtkMedialPrune::GetPresetWords(int preset)
+{
+  const medial::SchedulePreset* found = presetOf(preset);
+  return found ? found->words : nullptr;
+}
+
+const char* vtkMedialPrune::GetPresetDescription(int preset)
+{
+  const medial::SchedulePreset* found = presetOf(preset);
+  return found ? found->what : nullptr;
+}
+
 void vtkMedialPrune::AddIteration(int measure, double threshold, int passes)
 {
   const medial::MeasureTraits* traits = medial::findMeasure(measure);
@@ -128,7 +152,7 @@ void vtkMedialPrune::AddIteration(int measure, double threshold, int passes)
     this->RefuseSchedule(medial::noMeasure(std::to_string(measure)));
     return;
   }
-  const medial::PruneIteration iteration{ traits->measure, threshold, passes, false };
+  const medial::PruneIteration iteration{ traits->measure, threshold, passes };
   const std::string fault = medial::faultOf(iteration);
   if (!fault.empty())
   {

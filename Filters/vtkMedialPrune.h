@@ -118,15 +118,27 @@ public:
   ///@{
   /**
    * The schedule in words, one for each iteration: a letter for the measure and the threshold, such as
-   * "t5 t5 v1%", the default: twice parts of at most 5 triangles, then parts of at most one per cent
-   * of the volume. GetMeasureWord tells the word of each measure. Volumes are in per cent, lengths in
-   * the unit of the samples or in per cent of the diagonal of their bounding box (r0.5, r2%). x and a
-   * number at the end of a word limit its passes: t5x1. No words: no iterations.
+   * "t5 t5 h1s", the default: twice parts of at most 5 triangles, then parts without which the solid
+   * recedes by at most one sample spacing. GetMeasureWord tells the word of each measure. Volumes are
+   * in per cent (v1%). Lengths are in the unit of the samples (r0.5), in mean sample spacings (r2s), or
+   * in per cent of the diagonal of the samples' bounding box (r2%). x and a number at the end of a word
+   * limit its passes: t5x1. No words: no iterations. The name of a preset stands for its words, see
+   * GetPresetName.
    * A word that can't be read is an error, here and whenever the filter runs by this schedule.
    * GetScheduleWords returns words that give the same schedule again.
    */
   void SetSchedule(const char* words);
   std::string GetScheduleWords() const;
+  ///@}
+
+  ///@{
+  /**
+   * Schedules with names: 0 is the default, "noise"; then "details", "features", "skeleton" and "paper".
+   * Their words, and what they remove. Null where there is no such preset.
+   */
+  static const char* GetPresetName(int preset);
+  static const char* GetPresetWords(int preset);
+  static const char* GetPresetDescription(int preset);
   ///@}
 
   ///@{
@@ -163,8 +175,9 @@ public:
 
   ///@{
   /**
-   * The same from what people type: a threshold such as 0.05 or 5e-2, a whole number of passes. Other
-   * texts, such as "0,05" or none, are an error; they are never taken for another number.
+   * The same from what people type: a threshold such as 0.05 or 5e-2, a whole number of passes. The
+   * threshold of a length may end with s or %: 1s is one mean sample spacing, 2% is of the diagonal.
+   * Other texts, such as "0,05" or none, are an error; they are never taken for another number.
    * GetIterationFault tells, without an iteration, what is wrong with one in three texts; "": nothing.
    */
   void AddIterationFromText(const char* measure, const char* threshold, const char* passes);
@@ -174,7 +187,8 @@ public:
 
   ///@{
   /**
-   * One iteration of the schedule, 0 ... GetNumberOfIterations() - 1; 0 where there is none.
+   * One iteration of the schedule, 0 ... GetNumberOfIterations() - 1; 0 where there is none. The
+   * threshold is in the unit of its word in GetScheduleWords, but not in per cent.
    */
   int GetIterationMeasure(int iteration) const;
   double GetIterationThreshold(int iteration) const;

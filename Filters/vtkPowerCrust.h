@@ -34,6 +34,8 @@
  *    it has not because the topology would have changed, and the rounds made.
  *  - `MaximumClearance` (double): largest distance of a point that is no sample to the union of the
  *    kept balls and those put back, in sample spacings; 0 where none is outside.
+ *  - `MovedBy`, `MovedAtMost` (double): what pruning has moved: 99 % of the samples, and all of them, are
+ *    at most this far from the surface, in the samples' unit. 0 where all balls are kept.
  *
  * Field data, the verdict on this surface and on all stages before it
  *  - `Verdict` (string): `certified` or `not certified`. Certified is a surface if the power shape, the

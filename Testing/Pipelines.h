@@ -343,6 +343,8 @@ inline medial::MedialAxis inUnits(medial::MedialAxis a, double factor)
   a.ballVolumes = times(a.ballVolumes, factor * factor * factor);
   a.poleVolumes = times(a.poleVolumes, factor * factor * factor);
   a.erosion = times(a.erosion, factor);
+  a.sampleDiagonal *= factor;
+  a.sampleSpacing *= factor;
   a.cellErosion = times(a.cellErosion, factor);
   for (medial::SiteView& view : a.siteViews)
   {

@@ -174,6 +174,8 @@ constexpr const char* InsertedBalls = "InsertedBalls";
 constexpr const char* RefusedBalls = "RefusedBalls";
 constexpr const char* Rounds = "Rounds";
 constexpr const char* MaximumClearance = "MaximumClearance";
+constexpr const char* MovedAtMost = "MovedAtMost";
+constexpr const char* MovedBy = "MovedBy";
 constexpr const char* Verdict = "Verdict";
 // ... field data, a text for each reason; no array where there is none
 constexpr const char* VerdictReasons = "VerdictReasons";

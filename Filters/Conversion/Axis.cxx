@@ -130,6 +130,7 @@ void write(const MedialAxis& axis, vtkUnstructuredGrid* balls, vtkPolyData* outp
   addOne<vtkDoubleArray>(field, names::Kappa, axis.kappa);
   addOne<vtkIdTypeArray>(field, names::FilledGaps, axis.filledGaps);
   addOne<vtkDoubleArray>(field, names::SampleDiagonal, axis.sampleDiagonal);
+  addOne<vtkDoubleArray>(field, names::SampleSpacing, axis.sampleSpacing);
   addOne<vtkIdTypeArray>(field, names::NumberOfOffAxisBalls, offAxisBalls(axis.ballOwner));
 }
 
@@ -166,6 +167,7 @@ MedialAxis readMedialAxis(vtkPolyData* input)
   {
     result.sampleDiagonal = field.reals(names::SampleDiagonal, 1, 0).front();
   }
+  result.sampleSpacing = field.reals(names::SampleSpacing, 1, 0).front();
   result.powerShapeBetti = field.betti(names::BettiPowerShape);
   result.betti = field.betti(names::BettiAxis);
   result.certificate = field.flags(names::Certificate, 1).front() != 0;

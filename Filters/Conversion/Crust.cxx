@@ -39,5 +39,7 @@ void write(const Crust& crust, const std::vector<Index>& partOfBall, vtkUnstruct
   addOne<vtkIdTypeArray>(field, names::RefusedBalls, crust.refusedBalls);
   addOne<vtkIdTypeArray>(field, names::Rounds, crust.rounds);
   addOne<vtkDoubleArray>(field, names::MaximumClearance, crust.maximumClearance);
+  addOne<vtkDoubleArray>(field, names::MovedBy, crust.moved.percentile99);
+  addOne<vtkDoubleArray>(field, names::MovedAtMost, crust.moved.largest);
 }
 }

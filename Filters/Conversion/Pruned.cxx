@@ -84,7 +84,7 @@ void addHistory(vtkFieldData* rows, const std::vector<PruneRow>& history)
   std::vector<std::string> words;
   for (const PruneRow& row : history)
   {
-    words.push_back(row.byHand ? "by hand" : shortWord({ row.measure, row.threshold, 0, false }));
+    words.push_back(row.byHand ? "by hand" : shortWord({ row.measure, row.threshold, 0 }));
   }
   addTexts(rows, names::Word, words);
   add<vtkUnsignedCharArray>(rows, names::ByHand, history, &PruneRow::byHand);

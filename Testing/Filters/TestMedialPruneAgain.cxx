@@ -32,11 +32,7 @@ testing::AssertionResult prunesAfresh(vtkMedialPrune* filter, vtkDataObject* inp
 {
   vtkNew<vtkMedialPrune> fresh;
   fresh->SetInputData(input);
-  fresh->ClearIterations();
-  for (int i = 0; i < filter->GetNumberOfIterations(); ++i)
-  {
-    fresh->AddIteration(filter->GetIterationMeasure(i), filter->GetIterationThreshold(i));
-  }
+  fresh->SetSchedule(filter->GetScheduleWords().c_str());
   fresh->SetSplitAtNecks(filter->GetSplitAtNecks());
   fresh->Update();
   filter->Update();
@@ -72,6 +68,7 @@ TEST(MedialPrune, SeesThatItsInputHasChanged)
   const auto input = filterTest::copy<vtkPolyData>(boxPipeline().axis->GetOutput());
   const auto other = filterTest::copy<vtkPolyData>(boxPipeline().prune->GetOutput());
   vtkNew<vtkMedialPrune> filter;
+  filter->SetSchedule("t5 t5 v1%");
   filter->SetInputData(input);
   EXPECT_TRUE(prunesAfresh(filter, input));
   vtkDataArray* volumes = input->GetFieldData()->GetArray("BallVolume");

@@ -68,12 +68,29 @@ TEST(MedialPrune, RefusesAMeasureThatItDoesNotKnow)
   EXPECT_EQ(filter->GetNumberOfIterations(), 0);
 }
 
+TEST(MedialPrune, TakesASchedulesName)
+{
+  vtkNew<vtkMedialPrune> prune;
+  int presets = 0;
+  for (; vtkMedialPrune::GetPresetName(presets); ++presets)
+  {
+    prune->SetSchedule(vtkMedialPrune::GetPresetName(presets));
+    EXPECT_EQ(prune->GetScheduleWords(), vtkMedialPrune::GetPresetWords(presets));
+    EXPECT_NE(std::string(vtkMedialPrune::GetPresetDescription(presets)), "");
+  }
+  EXPECT_EQ(presets, 5);
+  EXPECT_EQ(vtkMedialPrune::GetPresetName(-1), nullptr);
+  EXPECT_EQ(vtkMedialPrune::GetPresetWords(presets), nullptr);
+  prune->SetSchedule("noise");
+  EXPECT_EQ(prune->GetScheduleWords(), vtkNew<vtkMedialPrune>()->GetScheduleWords());
+}
+
 TEST(MedialPrune, TakesAScheduleInWords)
 {
   vtkNew<vtkMedialPrune> prune;
-  EXPECT_EQ(prune->GetScheduleWords(), "t5 t5 v1%");
+  EXPECT_EQ(prune->GetScheduleWords(), "t5 t5 h1s");
   const vtkMTimeType before = prune->GetMTime();
-  prune->SetSchedule("t5, t5 v1%");
+  prune->SetSchedule("t5, t5 h1s");
   EXPECT_EQ(prune->GetMTime(), before);
   prune->SetSchedule("a0.5x2 r3%");
   EXPECT_GT(prune->GetMTime(), before);

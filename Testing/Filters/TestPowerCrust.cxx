@@ -50,10 +50,10 @@ TEST(PowerCrust, HasTheArraysOfItsHeader)
   EXPECT_EQ(arrays(crust->GetCellData()),
     (std::vector<std::string>{ "InnerBall idtype 1", "OuterBall idtype 1", "PartId idtype 1" }));
   std::vector<std::string> expected = filterTest::passedOn(boxPipeline().balls->GetOutput());
-  for (const char* array :
-    { "BettiCrust idtype 3", "Closed unsigned char 1", "InsertedBalls idtype 1",
-      "Manifold unsigned char 1", "MaximumClearance double 1", "PutBackBalls idtype 1",
-      "RefusedBalls idtype 1", "Rounds idtype 1", "Verdict string 1", "Volume double 1" })
+  for (const char* array : { "BettiCrust idtype 3", "Closed unsigned char 1",
+         "InsertedBalls idtype 1", "Manifold unsigned char 1", "MaximumClearance double 1",
+         "MovedAtMost double 1", "MovedBy double 1", "PutBackBalls idtype 1",
+         "RefusedBalls idtype 1", "Rounds idtype 1", "Verdict string 1", "Volume double 1" })
   {
     expected.emplace_back(array);
   }

@@ -41,13 +41,13 @@ def picked_part_is_protected():
 
 def measures_are_chosen():
     rows = list(pv.FindSource("MedialPrune2").Schedule)
-    check_equal(rows[0::3], ["Area", "TriangleCount", "RelativeVolume", "ObjectAngle"], "measures")
+    check_equal(rows[0::3], ["Area", "TriangleCount", "HausdorffDistance", "ObjectAngle"], "measures")
     check_equal(column(history(), "Measure")[0], 3, "Measure")
 
 
 def only_numbers_are_taken():
     rows = list(pv.FindSource("MedialPrune2").Schedule)
-    check_equal(rows[6:9], ["RelativeVolume", "0.05", "2"], "the third iteration")
+    check_equal(rows[6:9], ["HausdorffDistance", "0.05", "2"], "the third iteration")
     check_equal(column(history(), "Threshold")[2:3], [0.05], "Threshold")
 
 

@@ -309,6 +309,7 @@ MedialAxis medialAxis(
     thickness = erosion(axis, execution);
   }
   axis.sampleDiagonal = boundingBox(polarBalls.samples).diagonal().norm();
+  axis.sampleSpacing = polarBalls.spacing;
   axis.powerShapeBetti = shape.betti;
   axis.certificate = axis.betti == shape.betti;
   axis.ballOwner = owners(polarBalls, axis.ballOfPoint, execution);

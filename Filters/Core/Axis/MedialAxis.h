@@ -24,6 +24,7 @@ struct MedialAxis : AxisComplex
   std::vector<double> poleVolumes; ///< PolarBalls::poleVolumes
 
   double sampleDiagonal = 0; ///< of the samples' bounding box; 0: not known
+  double sampleSpacing = 0;  ///< of the balls; 0: not known
 
   Betti powerShapeBetti;
   Betti betti;      ///< of points and cells above, computed from them

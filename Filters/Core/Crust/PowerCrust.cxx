@@ -173,6 +173,10 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   crust.rounds = filling.rounds;
   crust.maximumClearance = largestClearance(diagram, innerBalls, crust, execution) / spacing;
   toWorld(polarBalls, frame, chosen.ids, crust);
+  if (!chosen.all)
+  {
+    crust.moved = sampleDistances(polarBalls.samples, crust, execution.between(0.95, 1));
+  }
   execution.report(1);
   return crust;
 }

@@ -9,6 +9,7 @@
 #include "Base/Warnings.h"
 #include "Crust/CrustOptions.h"
 #include "Crust/CrustSurface.h"
+#include "Crust/SampleDistances.h"
 
 #include <vector>
 
@@ -26,10 +27,11 @@ struct Crust
   Index refusedBalls = 0;  ///< not inserted: the topology would have changed
   int rounds = 0;          ///< of insertion made
   double maximumClearance =
-    0;               ///< largest distance of a point that is no sample to the union of the
-                     ///< kept balls and those put back, in sample spacings; 0 where none is
-                     ///< outside
-  Warnings warnings; ///< "crust_topology": other Betti numbers than CrustOptions::topology
+    0;                   ///< largest distance of a point that is no sample to the union of the
+                         ///< kept balls and those put back, in sample spacings; 0 where none is
+                         ///< outside
+  SampleDistances moved; ///< what lies between samples and surface; 0 where all balls are kept
+  Warnings warnings;     ///< "crust_topology": other Betti numbers than CrustOptions::topology
 };
 
 /// The power crust of the inner balls with keep[ball] != 0 and the outer balls.

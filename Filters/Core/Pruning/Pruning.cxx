@@ -54,20 +54,25 @@ void requireValid(const MedialAxis& axis, const PruneOptions& options)
 }
 
 /// The options with all thresholds in the samples' unit.
-/// @param diagonal  of the samples' bounding box; 0: not known
-PruneOptions inUnits(PruneOptions options, double diagonal)
+PruneOptions inUnits(PruneOptions options, const MedialAxis& axis)
 {
   for (PruneIteration& iteration : options.schedule)
   {
-    if (iteration.ofDiagonal && !(diagonal > 0))
+    if (iteration.lengthUnit == LengthUnit::Samples)
     {
-      throw InvalidInput(
-        "the axis doesn't know the diagonal of the samples' bounding box, of which '",
-        scheduleWords({ iteration }),
-        "' is a share: take the output of vtkMedialAxis, or give the ", "threshold as a length");
+      continue;
     }
-    iteration.threshold *= iteration.ofDiagonal ? diagonal : 1;
-    iteration.ofDiagonal = false;
+    const bool isOfDiagonal = iteration.lengthUnit == LengthUnit::Diagonal;
+    const double unit = isOfDiagonal ? axis.sampleDiagonal : axis.sampleSpacing;
+    if (!(unit > 0))
+    {
+      throw InvalidInput("the axis doesn't know the ",
+        isOfDiagonal ? "diagonal of the samples' bounding box" : "spacing of the samples",
+        ", in which '", scheduleWords({ iteration }),
+        "' is counted: take the output of vtkMedialAxis, or give the threshold as a length");
+    }
+    iteration.threshold *= unit;
+    iteration.lengthUnit = LengthUnit::Samples;
   }
   return options;
 }
@@ -128,7 +133,7 @@ void runAutomatically(PruneRun& run, const Execution& execution)
   do
   {
     report();
-    run.iterate({ Measure::TriangleCount, 5, 0, false });
+    run.iterate({ Measure::TriangleCount, 5, 0 });
   }
   while (hasDropped(run));
   for (bool goesOn = true; goesOn;)
@@ -138,7 +143,7 @@ void runAutomatically(PruneRun& run, const Execution& execution)
     goesOn = threshold > 0;
     if (goesOn)
     {
-      run.iterate({ Measure::RelativeVolume, threshold, 0, false });
+      run.iterate({ Measure::RelativeVolume, threshold, 0 });
       goesOn = hasDropped(run);
     }
   }
@@ -152,7 +157,7 @@ std::optional<PruneIteration> lastIteration(const PruneRecord& record)
     return std::nullopt;
   }
   const PruneRow& row = record.history.back();
-  return PruneIteration{ row.measure, row.threshold, row.passes, false };
+  return PruneIteration{ row.measure, row.threshold, row.passes };
 }
 
 /// For each part: does it touch no other?
@@ -247,7 +252,7 @@ PrunableAxis::PrunableAxis(MedialAxis medialAxis)
 Pruned prune(PrunableAxis& input, const PruneOptions& requestedOptions, const Execution& execution)
 {
   requireValid(input.axis, requestedOptions);
-  const PruneOptions options = inUnits(requestedOptions, input.axis.sampleDiagonal);
+  const PruneOptions options = inUnits(requestedOptions, input.axis);
   const Bodies limbs =
     options.neckRatio > 0 ? bodies(input.axis, input.edges, options.neckRatio) : Bodies{};
   LivingCells living =

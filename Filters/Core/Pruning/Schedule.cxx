@@ -97,6 +97,14 @@ int takePasses(std::string& word)
   return passes;
 }
 
+/// By the last character of a threshold.
+LengthUnit unitOfLength(char last)
+{
+  return last == '%' ? LengthUnit::Diagonal
+    : last == 's'    ? LengthUnit::Spacing
+                     : LengthUnit::Samples;
+}
+
 const MeasureTraits& measureOf(char letter)
 {
   for (const MeasureTraits& traits : allMeasures())
@@ -115,7 +123,8 @@ PruneIteration parseWord(std::string word)
   result.passes = takePasses(word);
   const MeasureTraits& traits = measureOf(word.front());
   const bool isPercent = word.back() == '%';
-  const std::string digits = word.substr(1, word.size() - (isPercent ? 2 : 1));
+  const bool isSpacings = word.back() == 's' && traits.unit == Unit::Length;
+  const std::string digits = word.substr(1, word.size() - (isPercent || isSpacings ? 2 : 1));
   if (digits.empty())
   {
     throw Fault{ "there is no threshold" };
@@ -131,7 +140,10 @@ PruneIteration parseWord(std::string word)
   }
   result.measure = traits.measure;
   result.threshold = parseDecimal(digits, isPercent);
-  result.ofDiagonal = isPercent && traits.unit == Unit::Length;
+  if (traits.unit == Unit::Length)
+  {
+    result.lengthUnit = unitOfLength(word.back());
+  }
   if (traits.unit == Unit::Count && digits.find('.') != std::string::npos)
   {
     throw Fault{ "a count is a whole number" };
@@ -142,6 +154,16 @@ PruneIteration parseWord(std::string word)
     throw Fault{ fault };
   }
   return result;
+}
+
+std::string presetNames()
+{
+  std::string names;
+  for (const SchedulePreset& preset : schedulePresets())
+  {
+    names += (names.empty() ? "" : ", ") + std::string(preset.name);
+  }
+  return names;
 }
 
 /// The digits of a number in scientific notation, d.ddde+dd: the fewest that from_chars reads as this
@@ -182,11 +204,14 @@ std::string plainDecimal(double value, bool isPercent, std::optional<int> digitC
 std::string word(const PruneIteration& iteration, std::optional<int> digits)
 {
   const MeasureTraits& traits = traitsOf(iteration.measure);
-  const bool isPercent = traits.unit == Unit::Share || iteration.ofDiagonal;
+  const bool isPercent = traits.unit == Unit::Share || iteration.lengthUnit == LengthUnit::Diagonal;
   // A part with at most 2.5 triangles has at most 2.
   const double threshold =
     traits.unit == Unit::Count ? std::floor(iteration.threshold) : iteration.threshold;
-  return traits.letter + plainDecimal(threshold, isPercent, digits) + (isPercent ? "%" : "") +
+  return traits.letter + plainDecimal(threshold, isPercent, digits) +
+    (isPercent                                        ? "%"
+        : iteration.lengthUnit == LengthUnit::Spacing ? "s"
+                                                      : "") +
     (iteration.passes > 0 ? "x" + std::to_string(iteration.passes) : "");
 }
 }
@@ -194,13 +219,38 @@ std::string word(const PruneIteration& iteration, std::optional<int> digits)
 bool operator==(const PruneIteration& a, const PruneIteration& b)
 {
   return a.measure == b.measure && a.threshold == b.threshold && a.passes == b.passes &&
-    a.ofDiagonal == b.ofDiagonal;
+    a.lengthUnit == b.lengthUnit;
+}
+
+const std::vector<SchedulePreset>& schedulePresets()
+{
+  static const std::vector<SchedulePreset> all{
+    { "noise", "t5 t5 h1s", "slivers, and what is at most one sample spacing high" },
+    { "details", "t5 t5 h1s h1%", "also what is at most 1 % of the diagonal high" },
+    { "features", "t5 t5 h1s h5%", "also what is at most 5 % of the diagonal high" },
+    { "skeleton", "t5 t5 h100% h100%", "all but what holds pieces, tunnels and voids" },
+    { "paper", "t5 t5 v1%", "slivers, and what has at most 1 % of the volume, as in the paper" },
+  };
+  return all;
+}
+
+const char* defaultSchedule()
+{
+  return schedulePresets().front().words;
 }
 
 std::vector<PruneIteration> parseSchedule(const std::string& words)
 {
+  const std::vector<std::string> all = split(words);
+  for (const SchedulePreset& preset : schedulePresets())
+  {
+    if (all.size() == 1 && all.front() == preset.name)
+    {
+      return parseSchedule(preset.words);
+    }
+  }
   std::vector<PruneIteration> schedule;
-  for (const std::string& word : split(words))
+  for (const std::string& word : all)
   {
     try
     {
@@ -214,7 +264,10 @@ std::vector<PruneIteration> parseSchedule(const std::string& words)
         patterns += (patterns.empty() ? "" : ", ") + wordPattern(traits);
       }
       throw InvalidInput("word ", schedule.size() + 1, " of the schedule, '", word,
-        "', is not an iteration: ", fault.text, "; words are ", patterns, ", as in \"t5 t5 v1%\"");
+        "', is not an iteration: ", fault.text, "; words are ", patterns,
+        ", as in \"t5 t5 v1%\"; lengths X may end with s (sample spacings) or % (of the diagonal); "
+        "or ",
+        "give the one word ", presetNames());
     }
   }
   return schedule;
@@ -228,11 +281,21 @@ PruneIteration parseIteration(
   {
     throw InvalidInput(noMeasure("'" + measure + "'"));
   }
-  PruneIteration result{ traits->measure, 0, 0, false };
-  if (!isNumber(withoutBlanks(threshold), result.threshold))
+  PruneIteration result{ traits->measure, 0, 0 };
+  std::string number = withoutBlanks(threshold);
+  if (traits->unit == Unit::Length && !number.empty())
+  {
+    result.lengthUnit = unitOfLength(number.back());
+    number.resize(number.size() - (result.lengthUnit != LengthUnit::Samples ? 1 : 0));
+    number += result.lengthUnit == LengthUnit::Diagonal && !number.empty() ? "e-2" : "";
+  }
+  if (!isNumber(number, result.threshold))
   {
     throw InvalidInput(thresholdOf(*traits, threshold), " is not a number: write ",
-      traits->unit == Unit::Share ? "0.05 for 5% of the volume" : "it with a point, as in 2.5");
+      traits->unit == Unit::Share ? "0.05 for 5% of the volume"
+        : traits->unit == Unit::Length
+        ? "it with a point, as in 2.5, 1.5s (sample spacings) or 2% (of the diagonal)"
+        : "it with a point, as in 2.5");
   }
   if (!isNumber(withoutBlanks(passes), result.passes))
   {

@@ -110,7 +110,7 @@ TEST(Measures, DecideInTheSchedule)
     std::sort(sorted.begin(), sorted.end());
     const double threshold = sorted[sorted.size() / 2];
     PruneOptions options;
-    options.schedule = { { traits.measure, threshold, 1, false } };
+    options.schedule = { { traits.measure, threshold, 1 } };
     options.removeHair = options.removeBranches = false;
     const Pruned pruned = medial::prune(p.axis(), options);
     EXPECT_EQ(pruned.axis.betti, p.shape.betti);

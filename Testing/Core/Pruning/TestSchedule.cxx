@@ -10,6 +10,7 @@
 #include <vector>
 
 using medial::allMeasures;
+using medial::LengthUnit;
 using medial::Measure;
 using medial::MeasureTraits;
 using medial::parseSchedule;
@@ -59,16 +60,39 @@ bool contains(const std::string& text, const std::string& part)
 TEST(Schedule, IsReadWordByWord)
 {
   EXPECT_EQ(parseSchedule("t5 t5 v1%"),
-    (Schedule{ { Measure::TriangleCount, 5, 0, false }, { Measure::TriangleCount, 5, 0, false },
-      { Measure::RelativeVolume, 0.01, 0, false } }));
+    (Schedule{ { Measure::TriangleCount, 5, 0 }, { Measure::TriangleCount, 5, 0 },
+      { Measure::RelativeVolume, 0.01, 0 } }));
   EXPECT_EQ(parseSchedule(" t5,\tr2%\n r0.25x3, "),
-    (Schedule{ { Measure::TriangleCount, 5, 0, false }, { Measure::MaximumRadius, 0.02, 0, true },
-      { Measure::MaximumRadius, 0.25, 3, false } }));
+    (Schedule{ { Measure::TriangleCount, 5, 0 },
+      { Measure::MaximumRadius, 0.02, 0, LengthUnit::Diagonal },
+      { Measure::MaximumRadius, 0.25, 3 } }));
   EXPECT_EQ(parseSchedule("v100% v0% a.5 o180"),
-    (Schedule{ { Measure::RelativeVolume, 1, 0, false }, { Measure::RelativeVolume, 0, 0, false },
-      { Measure::Area, 0.5, 0, false }, { Measure::ObjectAngle, 180, 0, false } }));
+    (Schedule{ { Measure::RelativeVolume, 1, 0 }, { Measure::RelativeVolume, 0, 0 },
+      { Measure::Area, 0.5, 0 }, { Measure::ObjectAngle, 180, 0 } }));
   EXPECT_TRUE(parseSchedule("").empty());
   EXPECT_TRUE(parseSchedule(" , ").empty());
+}
+
+TEST(Schedule, CountsLengthsInSpacings)
+{
+  EXPECT_EQ(parseSchedule("h1s e0.5sx2"),
+    (Schedule{ { Measure::HausdorffDistance, 1, 0, LengthUnit::Spacing },
+      { Measure::ErosionThickness, 0.5, 2, LengthUnit::Spacing } }));
+  for (const char* word : { "t5s", "v1s", "a2s", "o20s", "hs", "h1%s", "h1ss" })
+  {
+    EXPECT_THROW(parseSchedule(word), medial::InvalidInput) << word;
+  }
+}
+
+TEST(Schedule, HasPresets)
+{
+  for (const medial::SchedulePreset& preset : medial::schedulePresets())
+  {
+    EXPECT_EQ(parseSchedule(preset.name), parseSchedule(preset.words)) << preset.name;
+    EXPECT_FALSE(parseSchedule(preset.words).empty()) << preset.name;
+    EXPECT_THROW(parseSchedule(std::string("t5 ") + preset.name), medial::InvalidInput);
+  }
+  EXPECT_EQ(parseSchedule("noise"), parseSchedule(medial::defaultSchedule()));
 }
 
 TEST(Schedule, RoundsAPercentageOnce)
@@ -82,9 +106,9 @@ TEST(Schedule, IsWrittenInTheShortestWords)
 {
   EXPECT_EQ(scheduleWords(parseSchedule("t5 t5 v1%")), "t5 t5 v1%");
   EXPECT_EQ(scheduleWords(parseSchedule("t005 v1.0% r2.50%x1 e.125")), "t5 v1% r2.5%x1 e0.125");
-  EXPECT_EQ(scheduleWords({ { Measure::Area, 1e-7, 0, false } }), "a0.0000001");
-  EXPECT_EQ(scheduleWords({ { Measure::Area, 1e21, 0, false } }), "a1" + std::string(21, '0'));
-  EXPECT_EQ(scheduleWords({ { Measure::TriangleCount, 2.5, 0, false } }), "t2");
+  EXPECT_EQ(scheduleWords({ { Measure::Area, 1e-7, 0 } }), "a0.0000001");
+  EXPECT_EQ(scheduleWords({ { Measure::Area, 1e21, 0 } }), "a1" + std::string(21, '0'));
+  EXPECT_EQ(scheduleWords({ { Measure::TriangleCount, 2.5, 0 } }), "t2");
   EXPECT_EQ(scheduleWords({}), "");
 }
 
@@ -101,8 +125,11 @@ TEST(Schedule, IsTheSameAfterItWasWrittenAndRead)
   for (int i = 0; i < 2000; ++i)
   {
     const MeasureTraits& traits = allMeasures()[random() % allMeasures().size()];
-    PruneIteration iteration{ traits.measure, any(), static_cast<int>(random() % 3), false };
-    iteration.ofDiagonal = traits.unit == Unit::Length && random() % 2 == 0;
+    PruneIteration iteration{ traits.measure, any(), static_cast<int>(random() % 3) };
+    if (traits.unit == Unit::Length)
+    {
+      iteration.lengthUnit = static_cast<LengthUnit>(random() % 3);
+    }
     if (traits.unit == Unit::Count)
     {
       iteration.threshold = std::floor(iteration.threshold);
@@ -118,10 +145,10 @@ TEST(Schedule, IsTheSameAfterItWasWrittenAndRead)
 
 TEST(Schedule, HasShortWordsForPeople)
 {
-  EXPECT_EQ(medial::shortWord({ Measure::RelativeVolume, 0.0123456, 0, false }), "v1.23%");
-  EXPECT_EQ(medial::shortWord({ Measure::RelativeVolume, 0.01, 1, false }), "v1%x1");
-  EXPECT_EQ(medial::shortWord({ Measure::Area, 123456, 0, false }), "a123000");
-  EXPECT_EQ(medial::shortWord({ Measure::MaximumRadius, 0.02, 0, true }), "r2%");
+  EXPECT_EQ(medial::shortWord({ Measure::RelativeVolume, 0.0123456, 0 }), "v1.23%");
+  EXPECT_EQ(medial::shortWord({ Measure::RelativeVolume, 0.01, 1 }), "v1%x1");
+  EXPECT_EQ(medial::shortWord({ Measure::Area, 123456, 0 }), "a123000");
+  EXPECT_EQ(medial::shortWord({ Measure::MaximumRadius, 0.02, 0, LengthUnit::Diagonal }), "r2%");
 }
 
 TEST(Schedule, HasAWordForEveryMeasure)
@@ -170,10 +197,24 @@ TEST(Schedule, ReadsAnIterationFromThreeTexts)
   for (const MeasureTraits& traits : allMeasures())
   {
     EXPECT_EQ(medial::parseIteration(traits.name, " 0.05 ", "2"),
-      (PruneIteration{ traits.measure, 0.05, 2, false }));
+      (PruneIteration{ traits.measure, 0.05, 2 }));
     EXPECT_EQ(medial::parseIteration(traits.name, "5e-2", "0"),
-      (PruneIteration{ traits.measure, 0.05, 0, false }));
+      (PruneIteration{ traits.measure, 0.05, 0 }));
   }
+}
+
+TEST(Schedule, ReadsLengthsInSpacingsFromText)
+{
+  EXPECT_EQ(medial::parseIteration("HausdorffDistance", " 1.5s ", "0"),
+    (PruneIteration{ Measure::HausdorffDistance, 1.5, 0, LengthUnit::Spacing }));
+  EXPECT_EQ(medial::parseIteration("Lambda", "0.07%", "1"),
+    (PruneIteration{ Measure::Lambda, 0.0007, 1, LengthUnit::Diagonal }));
+  for (const char* threshold : { "s", "%", "1 s", "1ss", "1%s", "1e-2%", "infs" })
+  {
+    EXPECT_TRUE(contains(refusal("HausdorffDistance", threshold), "threshold")) << threshold;
+  }
+  EXPECT_TRUE(contains(refusal("TriangleCount", "5s"), "threshold"));
+  EXPECT_TRUE(contains(refusal("RelativeVolume", "5%"), "threshold"));
 }
 
 TEST(Schedule, NeverTakesATextForAnotherNumber)
@@ -201,13 +242,13 @@ TEST(Schedule, RefusesThresholdsAboveAllValues)
   for (const MeasureTraits& traits : allMeasures())
   {
     const double largest = medial::largestThreshold(traits.unit);
-    const PruneIteration all{ traits.measure, largest, 0, false };
+    const PruneIteration all{ traits.measure, largest, 0 };
     EXPECT_EQ(medial::faultOf(all), "");
     const bool isLimited = traits.unit == Unit::Share || traits.unit == Unit::Degrees;
     EXPECT_EQ(isLimited, largest < 1e9) << traits.name;
     for (const double above : { std::nextafter(largest, 1e9), 5000. })
     {
-      const bool isRefused = !medial::faultOf({ traits.measure, above, 0, false }).empty();
+      const bool isRefused = !medial::faultOf({ traits.measure, above, 0 }).empty();
       EXPECT_EQ(isRefused, isLimited) << traits.name << above;
     }
   }
