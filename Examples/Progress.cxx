@@ -11,8 +11,10 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <optional>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace
@@ -162,4 +164,11 @@ double Progress::seconds(vtkAlgorithm* stage) const
     }
   }
   return 0;
+}
+
+double peakMemoryMiB()
+{
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::round(usage.ru_maxrss / 1024.0); // Linux counts in KiB
 }

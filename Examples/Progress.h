@@ -30,4 +30,7 @@ private:
   std::vector<std::unique_ptr<Stage>> Stages;
 };
 
+/// The most memory that the process has had.
+double peakMemoryMiB();
+
 #endif

@@ -22,12 +22,10 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <cctype>
-#include <cmath>
 #include <initializer_list>
 #include <iomanip>
 #include <limits>
 #include <sstream>
-#include <sys/resource.h>
 #include <utility>
 #include <vector>
 
@@ -223,8 +221,7 @@ std::string betti(vtkSimplifyShape* simplify, const Input& input)
 
 std::string times(vtkSimplifyShape* simplify, const Progress& progress, double total)
 {
-  const double crusts = progress.seconds(simplify->GetUnprunedPowerCrust()) +
-    progress.seconds(simplify->GetPowerCrust());
+  vtkAlgorithm *whole = simplify->GetUnprunedPowerCrust(), *pruned = simplify->GetPowerCrust();
   return inBraces({
     { "image", seconds(progress.seconds(simplify->GetImageBoundary())) },
     { "samples", seconds(progress.seconds(simplify->GetBoundarySamples())) },
@@ -232,16 +229,9 @@ std::string times(vtkSimplifyShape* simplify, const Progress& progress, double t
     { "medialAxis", seconds(progress.seconds(simplify->GetMedialAxis())) },
     { "parts", seconds(progress.seconds(simplify->GetUnprunedPartDecomposition())) },
     { "prune", seconds(progress.seconds(simplify->GetMedialPrune())) },
-    { "crust", seconds(crusts) },
+    { "crust", seconds(progress.seconds(whole) + progress.seconds(pruned)) },
     { "total", seconds(total) },
   });
-}
-
-double peakMemoryMiB()
-{
-  rusage usage = {};
-  getrusage(RUSAGE_SELF, &usage);
-  return std::round(usage.ru_maxrss / 1024.0); // Linux counts in KiB
 }
 
 std::string scheduleLines(vtkSimplifyShape* simplify)
@@ -268,17 +258,15 @@ std::string scheduleLines(vtkSimplifyShape* simplify)
 std::string surfaceLine(vtkSimplifyShape* simplify)
 {
   vtkPolyData* surface = simplify->GetPowerCrust()->GetOutput();
-  const auto inSpacings = [surface](const char* moved) {
-    return fieldValue(surface, moved) / fieldValue(surface, "SampleSpacing");
-  };
+  vtkPolyData* whole = simplify->GetUnprunedPowerCrust()->GetOutput();
+  const double spacing = fieldValue(surface, "SampleSpacing");
   std::ostringstream out;
   out << "  surface   " << grouped(surface->GetNumberOfPolys()) << " faces, "
       << (fieldValue(surface, "Closed") != 0 ? "closed" : "NOT CLOSED") << ", " << std::fixed
-      << std::setprecision(2)
-      << 100 * fieldValue(surface, "Volume") /
-      fieldValue(simplify->GetUnprunedPowerCrust()->GetOutput(), "Volume")
-      << " % of the volume before, moved by " << inSpacings("MovedBy")
-      << " spacings at 99 % of the samples, " << inSpacings("MovedAtMost") << " at most\n";
+      << std::setprecision(2) << 100 * fieldValue(surface, "Volume") / fieldValue(whole, "Volume")
+      << " % of the volume before, moved by " << fieldValue(surface, "MovedBy") / spacing
+      << " spacings at 99 % of the samples, " << fieldValue(surface, "MovedAtMost") / spacing
+      << " at most\n";
   return out.str();
 }
 
@@ -325,7 +313,10 @@ std::string warningLines(vtkSimplifyShape* simplify)
 std::string report(
   vtkSimplifyShape* simplify, const Input& input, const Progress& progress, double total)
 {
-  vtkDataObject* samples = simplify->GetBalls();
+  vtkDataObject *samples = simplify->GetBalls(), *surface = simplify->GetPowerCrust()->GetOutput();
+  vtkDataObject* axis = simplify->GetMedialAxis()->GetOutput();
+  vtkDataObject* parts = simplify->GetUnprunedPartDecomposition()->GetOutput();
+  vtkDataObject* whole = simplify->GetUnprunedPowerCrust()->GetOutput();
   return "{\n  " +
     object(
       {
@@ -340,31 +331,24 @@ std::string report(
         { "invalidPolygons", number(double(input.invalidPolygons)) },
         { "balls", balls(simplify) },
         { "betti", betti(simplify, input) },
-        { "certificate",
-          truth(fieldValue(simplify->GetMedialAxis()->GetOutput(), "Certificate") != 0) },
+        { "certificate", truth(fieldValue(axis, "Certificate") != 0) },
         { "verdict", verdict(simplify) },
         { "warnings", warnings(simplify) },
-        { "fallback", truth(fieldValue(simplify->GetMedialAxis()->GetOutput(), "Fallback") != 0) },
-        { "filledGaps", number(fieldValue(simplify->GetMedialAxis()->GetOutput(), "FilledGaps")) },
+        { "fallback", truth(fieldValue(axis, "Fallback") != 0) },
+        { "filledGaps", number(fieldValue(axis, "FilledGaps")) },
         { "iterations",
           iterations(vtkTable::SafeDownCast(simplify->GetMedialPrune()->GetOutputDataObject(1))) },
-        { "parts",
-          number(
-            fieldValue(simplify->GetUnprunedPartDecomposition()->GetOutput(), "NumberOfParts")) },
+        { "parts", number(fieldValue(parts, "NumberOfParts")) },
         { "volume",
           inBraces({
-            { "crustBefore",
-              number(fieldValue(simplify->GetUnprunedPowerCrust()->GetOutput(), "Volume")) },
-            { "crustAfter", number(fieldValue(simplify->GetPowerCrust()->GetOutput(), "Volume")) },
+            { "crustBefore", number(fieldValue(whole, "Volume")) },
+            { "crustAfter", number(fieldValue(surface, "Volume")) },
           }) },
         { "moved",
           inBraces({
-            { "percentile99",
-              number(fieldValue(simplify->GetPowerCrust()->GetOutput(), "MovedBy")) },
-            { "largest",
-              number(fieldValue(simplify->GetPowerCrust()->GetOutput(), "MovedAtMost")) },
-            { "spacing",
-              number(fieldValue(simplify->GetPowerCrust()->GetOutput(), "SampleSpacing")) },
+            { "percentile99", number(fieldValue(surface, "MovedBy")) },
+            { "largest", number(fieldValue(surface, "MovedAtMost")) },
+            { "spacing", number(fieldValue(surface, "SampleSpacing")) },
           }) },
         { "seconds", times(simplify, progress, total) },
         { "peakMemoryMiB", number(peakMemoryMiB()) },

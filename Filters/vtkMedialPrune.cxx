@@ -71,12 +71,6 @@ std::string text(const char* characters)
 {
   return characters ? characters : "";
 }
-
-const medial::SchedulePreset* presetOf(int number)
-{
-  const std::vector<medial::SchedulePreset>& all = medial::schedulePresets();
-  return number >= 0 && number < static_cast<int>(all.size()) ? &all[number] : nullptr;
-}
 }
 
 vtkStandardNewMacro(vtkMedialPrune);
@@ -124,24 +118,6 @@ void vtkMedialPrune::SetSchedule(const char* words)
 std::string vtkMedialPrune::GetScheduleWords() const
 {
   return medial::scheduleWords(this->Lists->Schedule);
-}
-
-const char* vtkMedialPrune::GetPresetName(int preset)
-{
-  const medial::SchedulePreset* found = presetOf(preset);
-  return found ? found->name : nullptr;
-}
-
-const char* vtkMedialPrune::GetPresetWords(int preset)
-{
-  const medial::SchedulePreset* found = presetOf(preset);
-  return found ? found->words : nullptr;
-}
-
-const char* vtkMedialPrune::GetPresetDescription(int preset)
-{
-  const medial::SchedulePreset* found = presetOf(preset);
-  return found ? found->what : nullptr;
 }
 
 void vtkMedialPrune::AddIteration(int measure, double threshold, int passes)
@@ -210,36 +186,6 @@ void vtkMedialPrune::RefuseSchedule(const std::string& fault)
   medial::setErrorMessage(this, fault);
   vtkErrorMacro(<< fault);
   this->Modified();
-}
-
-const char* vtkMedialPrune::GetMeasureName(int measure)
-{
-  const medial::MeasureTraits* traits = medial::findMeasure(measure);
-  return traits ? traits->name : nullptr;
-}
-
-const char* vtkMedialPrune::GetMeasureArray(int measure)
-{
-  const medial::MeasureTraits* traits = medial::findMeasure(measure);
-  return traits ? traits->cellArray : nullptr;
-}
-
-const char* vtkMedialPrune::GetMeasureDescription(int measure)
-{
-  const medial::MeasureTraits* traits = medial::findMeasure(measure);
-  return traits ? traits->description : nullptr;
-}
-
-const char* vtkMedialPrune::GetMeasureUnit(int measure)
-{
-  const medial::MeasureTraits* traits = medial::findMeasure(measure);
-  return traits ? medial::unitName(traits->unit) : nullptr;
-}
-
-std::string vtkMedialPrune::GetMeasureWord(int measure)
-{
-  const medial::MeasureTraits* traits = medial::findMeasure(measure);
-  return traits ? medial::wordPattern(*traits) : std::string();
 }
 
 int vtkMedialPrune::GetNumberOfIterations() const

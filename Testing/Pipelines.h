@@ -41,9 +41,7 @@ using medial::Point;
 inline medial::PruneOptions standardSchedule()
 {
   medial::PruneOptions options;
-  options.schedule = { { medial::Measure::TriangleCount, 5, 0 },
-    { medial::Measure::TriangleCount, 5, 0 }, { medial::Measure::RelativeVolume, 0.01, 0 },
-    { medial::Measure::RelativeVolume, 0.1, 0 } };
+  options.schedule = medial::parseSchedule("t5 t5 v1% v10%");
   return options;
 }
 

@@ -99,6 +99,22 @@ Warnings topologyWarnings(
     bettiDistance(crust.betti, *topology), place } };
 }
 
+/// None where all balls are kept: then the surface goes through the samples.
+SampleDistances movedSamples(const PolarBalls& polarBalls, const ChosenBalls& chosen,
+  const CrustSurface& surface, const Execution& execution)
+{
+  return chosen.all ? SampleDistances{} : sampleDistances(polarBalls.samples, surface, execution);
+}
+
+/// Balls that were added, and those that were not.
+void noteAddedBalls(const PuttingBack& back, const Filling& filling, Crust& crust)
+{
+  crust.putBackBalls = back.balls;
+  crust.insertedBalls = filling.inserted;
+  crust.refusedBalls = filling.refused;
+  crust.rounds = filling.rounds;
+}
+
 /// From the diagram's frame and numbers of balls to those of `polarBalls`. Samples stay exact.
 void toWorld(
   const PolarBalls& polarBalls, const Frame& frame, const std::vector<Index>& ballIds, Crust& crust)
@@ -167,16 +183,10 @@ Crust powerCrust(const PolarBalls& polarBalls, const std::vector<char>& keep,
   removeSlivers(crust, spacing, execution);
   static_cast<SolidMeasures&>(crust) = solidMeasures(crust.points, crust.triangles, execution);
   crust.warnings = topologyWarnings(crust, options.topology, back.place);
-  crust.putBackBalls = back.balls;
-  crust.insertedBalls = filling.inserted;
-  crust.refusedBalls = filling.refused;
-  crust.rounds = filling.rounds;
+  noteAddedBalls(back, filling, crust);
   crust.maximumClearance = largestClearance(diagram, innerBalls, crust, execution) / spacing;
   toWorld(polarBalls, frame, chosen.ids, crust);
-  if (!chosen.all)
-  {
-    crust.moved = sampleDistances(polarBalls.samples, crust, execution.between(0.95, 1));
-  }
+  crust.moved = movedSamples(polarBalls, chosen, crust, execution.between(0.95, 1));
   execution.report(1);
   return crust;
 }
