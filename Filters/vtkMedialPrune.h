@@ -118,8 +118,8 @@ public:
   ///@{
   /**
    * The schedule in words, one for each iteration: a letter for the measure and the threshold, such as
-   * "t5 t5 h1s", the default: twice parts of at most 5 triangles, then parts without which the solid
-   * recedes by at most one sample spacing. GetMeasureWord tells the word of each measure. Volumes are
+   * "t5 t5 h0.5s", the default: twice parts of at most 5 triangles, then parts without which the solid
+   * recedes by at most half a sample spacing. GetMeasureWord tells the word of each measure. Volumes are
    * in per cent (v1%). Lengths are in the unit of the samples (r0.5), in mean sample spacings (r2s), or
    * in per cent of the diagonal of the samples' bounding box (r2%). x and a number at the end of a word
    * limit its passes: t5x1. No words: no iterations. The name of a preset stands for its words, see

@@ -138,7 +138,7 @@ TEST(MedialPrune, HasTheDefaultScheduleOfItsHeader)
   ASSERT_EQ(filter->GetNumberOfIterations(), 3);
   const int measures[] = { vtkMedialPrune::TRIANGLE_COUNT, vtkMedialPrune::TRIANGLE_COUNT,
     vtkMedialPrune::HAUSDORFF_DISTANCE };
-  const double thresholds[] = { 5, 5, 1 };
+  const double thresholds[] = { 5, 5, 0.5 };
   for (int i = 0; i < 3; ++i)
   {
     EXPECT_EQ(filter->GetIterationMeasure(i), measures[i]);
@@ -157,7 +157,7 @@ TEST(MedialPrune, TellsItsScheduleInTheHistory)
   EXPECT_EQ(rows->GetValueByName(0, "Threshold").ToDouble(), 5);
   EXPECT_EQ(rows->GetValueByName(2, "Measure").ToInt(), vtkMedialPrune::HAUSDORFF_DISTANCE);
   EXPECT_EQ(rows->GetValueByName(2, "Threshold").ToDouble(),
-    field(boxPipeline().axis->GetOutput(), "SampleSpacing"));
+    0.5 * field(boxPipeline().axis->GetOutput(), "SampleSpacing"));
   for (vtkIdType i = 0; i < 3; ++i)
   {
     EXPECT_EQ(rows->GetValueByName(i, "Iteration").ToInt(), i);
@@ -249,7 +249,7 @@ TEST(MedialPrune, DescribesItsProperties)
 {
   std::ostringstream text;
   boxPipeline().prune->Print(text);
-  for (const char* word : { "Schedule: t5 t5 h1s", "Topology: COLLAPSE", "RemoveHair: on",
+  for (const char* word : { "Schedule: t5 t5 h0.5s", "Topology: COLLAPSE", "RemoveHair: on",
          "RemoveBranches: on", "PartsToRemove: 0", "CellsToRemove: 0", "PartsToProtect: 0",
          "CellsToProtect: 0", "SelectionRole: REMOVE", "VerifyTopology: off" })
   {

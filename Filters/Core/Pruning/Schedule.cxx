@@ -225,10 +225,10 @@ bool operator==(const PruneIteration& a, const PruneIteration& b)
 const std::vector<SchedulePreset>& schedulePresets()
 {
   static const std::vector<SchedulePreset> all{
-    { "noise", "t5 t5 h1s", "slivers, and what is at most one sample spacing high" },
-    { "details", "t5 t5 h1s h1%", "also what is at most 1 % of the diagonal high" },
-    { "features", "t5 t5 h1s h5%", "also what is at most 5 % of the diagonal high" },
-    { "skeleton", "t5 t5 h100% h100%", "all but what holds pieces, tunnels and voids" },
+    { "noise", "t5 t5 h0.5s", "slivers, and what is at most half a sample spacing high" },
+    { "details", "t5 t5 h0.5s h1%", "also what is at most 1 % of the diagonal high" },
+    { "features", "t5 t5 h0.5s h5%", "also what is at most 5 % of the diagonal high" },
+    { "skeleton", "t5 t5 h100% h100%", "all parts but those that hold pieces, tunnels and voids" },
     { "paper", "t5 t5 v1%", "slivers, and what has at most 1 % of the volume, as in the paper" },
   };
   return all;

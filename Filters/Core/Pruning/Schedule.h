@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// A schedule is the list of iterations that pruning works through. In words: "t5 t5 h1s".
+/// A schedule is the list of iterations that pruning works through. In words: "t5 t5 h0.5s".
 namespace medial
 {
 /// What the threshold of a length is counted in.
