@@ -56,11 +56,14 @@ public:
   /// Gives all cells of an open ball that holds `first` their first cell.
   void grow(Index first)
   {
-    std::vector<Index> ball, todo, later;
+    std::vector<Index>&todo = this->candidates, &later = this->refused;
+    this->ball.clear();
+    todo.clear();
+    later.clear();
     const auto join = [&](Index c) {
       this->firstCell[c] = first;
       this->outside.takeIn(c);
-      ball.push_back(c);
+      this->ball.push_back(c);
       for (const Index n : this->sites.mesh.neighbors[c])
       {
         if (n != None && this->firstCell[n] == None &&
@@ -89,7 +92,7 @@ public:
       }
       todo.clear();
     }
-    for (const Index c : ball)
+    for (const Index c : this->ball)
     {
       this->outside.putOut(c);
     }
@@ -112,8 +115,10 @@ private:
 
   const SiteTriangulation& sites;
   DisjointSets& classes;
-  std::vector<Index> firstCell; ///< for each cell that of its ball, or None
-  OutsideCounts outside;        ///< of the ball that grows
+  std::vector<Index> firstCell;           ///< for each cell that of its ball, or None
+  OutsideCounts outside;                  ///< of the ball that grows
+  std::vector<Index> ball;                ///< its cells
+  std::vector<Index> candidates, refused; ///< cells next to it
 };
 }
 

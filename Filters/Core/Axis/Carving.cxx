@@ -62,11 +62,15 @@ DisjointSets components(const SiteTriangulation& sites, const OpenSet& set)
   DisjointSets result(count(set.cells));
   for (Index c = 0; c < count(set.cells); ++c)
   {
-    for (int i = 0; i < 4; ++i)
+    if (!set.cells[c])
     {
-      if (set.cells[c] && !isOpen(sites, set, c, i))
+      continue;
+    }
+    for (const Index n : sites.mesh.neighbors[c])
+    {
+      if (n > c && set.cells[n])
       {
-        result.unite(c, sites.mesh.neighbors[c][i]);
+        result.unite(c, n);
       }
     }
   }

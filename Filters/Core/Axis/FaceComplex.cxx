@@ -70,13 +70,7 @@ void FaceComplex::numberSides()
 std::vector<Index> FaceComplex::facesAt(Index side) const
 {
   std::vector<Index> result;
-  for (const Index p : this->users[side])
-  {
-    if (this->face[p])
-    {
-      result.push_back(p);
-    }
-  }
+  this->forFacesAt(side, [&result](Index p) { result.push_back(p); });
   return result;
 }
 

@@ -33,6 +33,19 @@ public:
   Index faceCount(Index side) const { return this->faces[side]; }
   std::vector<Index> facesAt(Index side) const;
 
+  /// Calls body(face) for them, without a list.
+  template <typename Body>
+  void forFacesAt(Index side, const Body& body) const
+  {
+    for (const Index p : this->users[side])
+    {
+      if (this->face[p])
+      {
+        body(p);
+      }
+    }
+  }
+
   /// The sides that a polygon had at first.
   IndexLists::View sidesOf(Index polygon) const { return this->sidesOfPolygon[polygon]; }
 

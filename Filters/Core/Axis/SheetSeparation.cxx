@@ -191,16 +191,18 @@ private:
     };
     for (const Index s : this->faces.sidesOf(face))
     {
-      for (const Index q :
-        this->faces.faceCount(s) == 2 ? this->faces.facesAt(s) : std::vector<Index>{})
+      if (this->faces.faceCount(s) != 2)
       {
+        continue;
+      }
+      this->faces.forFacesAt(s, [&](Index q) {
         const std::vector<Index>& corners = this->faces.polygons[q].corners;
         if (std::find(reached.begin(), reached.end(), q) == reached.end() &&
           std::any_of(corners.begin(), corners.end(), isNear))
         {
           reached.push_back(q);
         }
-      }
+      });
     }
   }
 

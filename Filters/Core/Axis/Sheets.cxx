@@ -16,9 +16,11 @@ Sheets::Sheets(const FaceComplex& faceComplex, const FaceGeometry& faceGeometry)
 void Sheets::findPieces()
 {
   this->pieces = DisjointSets(count(this->faces.polygons));
+  std::vector<Index> at;
   for (Index s = 0; s < this->faces.sideCount(); ++s)
   {
-    const std::vector<Index> at = this->faces.facesAt(s);
+    at.clear();
+    this->faces.forFacesAt(s, [&at](Index p) { at.push_back(p); });
     for (std::size_t i = 0; i < at.size(); ++i)
     {
       for (std::size_t j = 0; j < i; ++j)
@@ -58,13 +60,20 @@ void Sheets::findSheetsAmong(const std::vector<char>& isIn)
   std::vector<char> atBorder(this->faces.vertexCount(), 0);
   for (Index s = 0; s < this->faces.sideCount(); ++s)
   {
-    std::vector<Index> at = this->faces.facesAt(s);
-    at.erase(std::remove_if(at.begin(), at.end(), [&isIn](Index p) { return !isIn[p]; }), at.end());
-    if (at.size() == 2)
+    Index first = None, last = None, number = 0;
+    this->faces.forFacesAt(s, [&](Index p) {
+      if (isIn[p])
+      {
+        first = number == 0 ? p : first;
+        last = p;
+        ++number;
+      }
+    });
+    if (number == 2)
     {
-      this->pieces.unite(at[0], at[1]);
+      this->pieces.unite(first, last);
     }
-    else if (at.size() == 1)
+    else if (number == 1)
     {
       atBorder[this->faces.ends(s)[0]] = atBorder[this->faces.ends(s)[1]] = 1;
     }
@@ -83,10 +92,13 @@ void Sheets::findSheetsAmong(const std::vector<char>& isIn)
 
 std::vector<Index> Sheets::sheetsAt(Index side)
 {
-  std::vector<Index> sheets = this->faces.facesAt(side);
-  sheets.erase(std::remove_if(sheets.begin(), sheets.end(),
-                 [this](Index p) { return !this->isSheet[this->pieces.find(p)]; }),
-    sheets.end());
+  std::vector<Index> sheets;
+  this->faces.forFacesAt(side, [&](Index p) {
+    if (this->isSheet[this->pieces.find(p)])
+    {
+      sheets.push_back(p);
+    }
+  });
   return sheets;
 }
 

@@ -35,23 +35,29 @@ void removePieces(FaceComplex& faces, const FaceGeometry& geometry, const PieceO
       }
     }
   });
-  std::vector<std::vector<Index>> verticesOfPiece(polygonCount);
+  IndexLists verticesOfPiece;
+  std::vector<Index> lastPiece(faces.vertexCount(), None);
   std::vector<Index> uses = faces.danglingSides(); // and pieces, at each vertex
   for (Index piece = 0; piece < polygonCount; ++piece)
   {
-    std::vector<Index>& vertices = verticesOfPiece[piece];
     for (const Index p : facesOfPiece[piece])
     {
-      const std::vector<Index>& corners = faces.polygons[p].corners;
-      vertices.insert(vertices.end(), corners.begin(), corners.end());
+      for (const Index v : faces.polygons[p].corners)
+      {
+        if (lastPiece[v] != piece)
+        {
+          lastPiece[v] = piece;
+          verticesOfPiece.items.push_back(v);
+          ++uses[v];
+        }
+      }
     }
-    sortUnique(vertices);
-    std::for_each(vertices.begin(), vertices.end(), [&uses](Index v) { ++uses[v]; });
+    verticesOfPiece.close();
   }
   for (Index piece = 0; piece < polygonCount; ++piece)
   {
     const IndexLists::View own = facesOfPiece[piece];
-    const std::vector<Index>& vertices = verticesOfPiece[piece];
+    const IndexLists::View vertices = verticesOfPiece[piece];
     const bool isNeeded = std::any_of(vertices.begin(), vertices.end(),
       [&](Index v) { return geometry.ball[v] != None && uses[v] == 1; });
     if (!isNeeded && faces.collapseAll({ own.begin(), own.end() }))
@@ -87,8 +93,11 @@ void removeFlaps(FaceComplex& faces, const FaceGeometry& geometry)
   {
     if (faces.faceCount(s) == 2)
     {
-      const std::vector<Index> at = faces.facesAt(s);
-      pieces.unite(at[0], at[1]);
+      Index other = None;
+      faces.forFacesAt(s, [&](Index p) {
+        pieces.unite(p, other == None ? p : other);
+        other = p;
+      });
     }
   }
   removePieces(faces, geometry, [&pieces](Index p) { return pieces.find(p); });

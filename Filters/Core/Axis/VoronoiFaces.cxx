@@ -29,33 +29,67 @@ namespace
 /// face is kept; else None.
 using Faces = std::vector<Index>;
 
-/// For each edge: do all cells around it have the same vertex? Then its face shrinks to that.
-std::vector<char> facesInVertices(const SiteTriangulation& sites, const AxisVertices& vertices)
+/// A number for the facet of a cell opposite to its corner i, the same from both sides.
+Index facetNumber(const Tetrahedra& mesh, Index cell, int i)
 {
-  std::vector<Index> vertexOf(sites.edges.edges.size(), None);
-  std::vector<char> result(vertexOf.size(), 1);
-  for (Index c = 0; c < count(vertices.ofCell); ++c)
+  const Index neighbor = mesh.neighbors[cell][i];
+  if (cell < neighbor)
   {
-    for (const Index e : sites.edges.ofCell[c])
-    {
-      vertexOf[e] = vertexOf[e] == None ? vertices.ofCell[c] : vertexOf[e];
-      result[e] &= vertexOf[e] == vertices.ofCell[c];
-    }
+    return 4 * cell + i;
   }
+  const Tetrahedron& across = mesh.neighbors[neighbor];
+  return 4 * neighbor +
+    static_cast<Index>(std::find(across.begin(), across.end(), cell) - across.begin());
+}
+
+/// Calls body(cell, facet that leads to the next one) for the cells around an edge, which are all in the set.
+template <typename Body>
+void forCellsAround(const Tetrahedra& mesh, const Edge& edge, Index start, const Body& body)
+{
+  const auto placeOf = [&mesh](Index cell, Index corner) {
+    const Tetrahedron& corners = mesh.cells[cell];
+    return static_cast<int>(std::find(corners.begin(), corners.end(), corner) - corners.begin());
+  };
+  const int first = placeOf(start, edge[0]), second = placeOf(start, edge[1]);
+  int leave = 0; // any corner that is not on the edge
+  while (leave == first || leave == second)
+  {
+    ++leave;
+  }
+  Index cell = start;
+  Index pivot = mesh.cells[cell][6 - first - second - leave]; // shared with the next cell
+  do
+  {
+    body(cell, leave);
+    const Index next = mesh.neighbors[cell][leave];
+    leave = placeOf(next, pivot);
+    pivot = mesh.cells[next][6 - placeOf(next, edge[0]) - placeOf(next, edge[1]) - leave];
+    cell = next;
+  }
+  while (cell != start);
+}
+
+/// Do all cells around an edge have the same vertex? Then its face shrinks to that.
+bool isInVertex(
+  const SiteTriangulation& sites, Index edge, Index cell, const AxisVertices& vertices)
+{
+  bool result = true;
+  forCellsAround(sites.mesh, sites.edges.edges[edge], cell,
+    [&](Index c, int) { result = result && vertices.ofCell[c] == vertices.ofCell[cell]; });
   return result;
 }
 
 /// Leaves out one face of every Voronoi cell that is there with all its faces: one that no other such
 /// cell has, so that cell and face collapse. Cells that shrink to a vertex have none to leave out.
-void openCells(const SiteTriangulation& sites, const Outside& outside,
-  const std::vector<char>& isInVertex, Faces& faces)
+void openCells(const SiteTriangulation& sites, const Outside& outside, const AxisVertices& vertices,
+  Faces& faces)
 {
   const IndexLists around = listsByKey(sites.siteCount, [&](const auto& add) {
     for (Index e = 0; e < count(faces); ++e)
     {
       for (const Index v : sites.edges.edges[e])
       {
-        if (faces[e] != None && !isInVertex[e] && !outside.vertices[v])
+        if (faces[e] != None && !outside.vertices[v] && !isInVertex(sites, e, faces[e], vertices))
         {
           add(v, e); // v has all its faces
         }
@@ -101,47 +135,43 @@ Faces keptFaces(const SiteTriangulation& sites, const OpenSet& set, const AxisVe
       }
     }
   }
-  openCells(sites, outside, facesInVertices(sites, vertices), faces);
+  openCells(sites, outside, vertices, faces);
   return faces;
 }
 
-/// A face as it is walked around: its vertices, and the Voronoi edge, by its facet, after each of them.
-struct FaceWalk
+/// Faces as they are walked around: the vertices of each, and the Voronoi edge, by its facet, after each of
+/// them.
+struct FaceWalks
 {
-  Index siteEdge;
-  std::vector<Index> vertices, facetAfter;
+  std::vector<Index> siteEdges;
+  IndexLists vertices;
+  std::vector<Index> facets; ///< after each item of `vertices`
+
+  const Index* facetsOf(Index walk) const { return this->facets.data() + vertices.offsets[walk]; }
 };
 
-/// A number for the facet between two neighbouring cells, the same from both.
-Index facetBetween(const Tetrahedra& mesh, Index c, Index n)
+FaceWalks faceWalks(const SiteTriangulation& sites, const Faces& faces,
+  const AxisVertices& vertices, const Execution& execution)
 {
-  const Tetrahedron& across = mesh.neighbors[std::min(c, n)];
-  return 4 * std::min(c, n) +
-    static_cast<Index>(std::find(across.begin(), across.end(), std::max(c, n)) - across.begin());
-}
-
-FaceWalk faceWalk(
-  const SiteTriangulation& sites, Index siteEdge, Index cell, const AxisVertices& vertices)
-{
-  const Edge& edge = sites.edges.edges[siteEdge];
-  const Tetrahedron& corners = sites.mesh.cells[cell];
-  int leave = 0; // any corner that is not on the edge
-  while (corners[leave] == edge[0] || corners[leave] == edge[1])
+  FaceWalks result;
+  for (Index e = 0; e < count(faces); ++e)
   {
-    ++leave;
-  }
-  const std::vector<Index> cells = cellsAround(sites.mesh, edge, cell, leave);
-  FaceWalk walk{ siteEdge, {}, {} };
-  for (std::size_t i = 0; i < cells.size(); ++i)
-  {
-    const Index next = cells[(i + 1) % cells.size()];
-    if (vertices.ofCell[cells[i]] != vertices.ofCell[next])
+    execution.pollAt(e);
+    if (faces[e] == None)
     {
-      walk.vertices.push_back(vertices.ofCell[cells[i]]);
-      walk.facetAfter.push_back(facetBetween(sites.mesh, cells[i], next));
+      continue;
     }
+    forCellsAround(sites.mesh, sites.edges.edges[e], faces[e], [&](Index cell, int leave) {
+      if (vertices.ofCell[cell] != vertices.ofCell[sites.mesh.neighbors[cell][leave]])
+      {
+        result.vertices.items.push_back(vertices.ofCell[cell]);
+        result.facets.push_back(facetNumber(sites.mesh, cell, leave));
+      }
+    });
+    result.siteEdges.push_back(e);
+    result.vertices.close();
   }
-  return walk;
+  return result;
 }
 
 /// The sides of faces: Voronoi edges between the same two vertices are one side where faces without any
@@ -151,14 +181,14 @@ class VertexSides
 {
 public:
   VertexSides(const SiteTriangulation& sites, const OpenSet& set, const AxisVertices& vertices,
-    const std::vector<FaceWalk>& walks, std::vector<Edge>& midpoints)
+    const FaceWalks& walks, std::vector<Edge>& midpoints)
     : sideOfFacet(4 * count(sites.mesh.cells))
   {
-    for (const FaceWalk& walk : walks)
+    for (Index w = 0; w < walks.vertices.size(); ++w)
     {
-      if (walk.vertices.size() == 2)
+      if (walks.vertices[w].size() == 2)
       {
-        this->sideOfFacet.unite(walk.facetAfter[0], walk.facetAfter[1]);
+        this->sideOfFacet.unite(walks.facetsOf(w)[0], walks.facetsOf(w)[1]);
       }
     }
     std::vector<std::pair<Edge, Index>> all;
@@ -189,6 +219,10 @@ public:
   /// The vertex in the middle of the side of a facet, or None.
   Index middle(Index facet)
   {
+    if (this->middles.empty())
+    {
+      return None;
+    }
     const auto found = this->middles.find(this->sideOfFacet.find(facet));
     return found == this->middles.end() ? None : found->second;
   }
@@ -198,19 +232,21 @@ private:
   std::map<Index, Index> middles;
 };
 
-std::vector<Index> withMiddles(const FaceWalk& walk, VertexSides& sides)
+/// The corners of a face in order: its vertices, and what is in the middle of its sides.
+void findCorners(
+  const FaceWalks& walks, Index walk, VertexSides& sides, std::vector<Index>& corners)
 {
-  std::vector<Index> corners;
-  for (std::size_t i = 0; i < walk.vertices.size(); ++i)
+  const IndexLists::View vertices = walks.vertices[walk];
+  corners.clear();
+  for (Index i = 0; i < vertices.size(); ++i)
   {
-    corners.push_back(walk.vertices[i]);
-    const Index middle = sides.middle(walk.facetAfter[i]);
+    corners.push_back(vertices[i]);
+    const Index middle = sides.middle(walks.facetsOf(walk)[i]);
     if (middle != None)
     {
       corners.push_back(middle);
     }
   }
-  return corners;
 }
 
 /// Appends a face. Where it comes to a vertex again, it is another corner of it: the face gets a vertex
@@ -228,6 +264,11 @@ void appendFace(const std::vector<Index>& corners, Index siteEdge, Index& nextVe
       own[i] = nextVertex++;
       midpoints.push_back({ corners[i - 1], corners[i] });
     }
+  }
+  if (own == corners)
+  {
+    polygons.push_back({ std::move(own), siteEdge });
+    return;
   }
   polygons.push_back({ own, siteEdge });
   for (std::size_t i = 0; i < n; ++i)
@@ -282,9 +323,8 @@ void appendEdgesWithoutFace(const SiteTriangulation& sites, const OpenSet& set, 
       }
       if (!inFace && vertices.ofCell[c] != vertices.ofCell[n])
       {
-        appendEdge({ vertices.ofCell[c], vertices.ofCell[n] },
-          sides.middle(facetBetween(sites.mesh, c, n)), { {}, None, facet(sites.mesh.cells[c], i) },
-          polygons);
+        appendEdge({ vertices.ofCell[c], vertices.ofCell[n] }, sides.middle(4 * c + i),
+          { {}, None, facet(sites.mesh.cells[c], i) }, polygons);
       }
     }
   }
@@ -296,31 +336,26 @@ VoronoiFaces voronoiFaces(const SiteTriangulation& sites, const OpenSet& set,
   const AxisVertices& vertices, const Execution& execution)
 {
   const Faces faces = keptFaces(sites, set, vertices);
-  std::vector<FaceWalk> walks;
-  for (Index e = 0; e < count(faces); ++e)
-  {
-    execution.pollAt(e);
-    if (faces[e] != None)
-    {
-      walks.push_back(faceWalk(sites, e, faces[e], vertices));
-    }
-  }
+  const FaceWalks walks = faceWalks(sites, faces, vertices, execution);
   execution.poll();
   VoronoiFaces result;
   VertexSides sides(sites, set, vertices, walks, result.midpoints);
   Index nextVertex = count(vertices.firstCell) + count(result.midpoints);
   execution.poll();
-  for (const FaceWalk& walk : walks)
+  result.polygons.reserve(walks.siteEdges.size());
+  std::vector<Index> corners;
+  for (Index w = 0; w < walks.vertices.size(); ++w)
   {
-    if (walk.vertices.size() == 2)
+    const IndexLists::View own = walks.vertices[w];
+    if (own.size() == 2)
     {
-      appendEdge({ walk.vertices[0], walk.vertices[1] }, sides.middle(walk.facetAfter[0]),
-        { {}, walk.siteEdge }, result.polygons);
+      appendEdge({ own[0], own[1] }, sides.middle(walks.facetsOf(w)[0]), { {}, walks.siteEdges[w] },
+        result.polygons);
     }
-    if (walk.vertices.size() > 2)
+    if (own.size() > 2)
     {
-      appendFace(
-        withMiddles(walk, sides), walk.siteEdge, nextVertex, result.midpoints, result.polygons);
+      findCorners(walks, w, sides, corners);
+      appendFace(corners, walks.siteEdges[w], nextVertex, result.midpoints, result.polygons);
     }
   }
   execution.poll();
