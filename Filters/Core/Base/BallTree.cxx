@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace medial
@@ -109,22 +110,22 @@ double BallTree::least(const Ball& ball, Index leftOut, double enough) const
     double bound;
   };
   double least = std::numeric_limits<double>::infinity();
-  std::vector<Step> todo;
+  std::array<Step, 64> todo; // nodes are halved: each of at most 31 levels adds one
+  std::size_t size = 0;
   const auto add = [&](Index number) {
     const Node& node = this->nodes[number];
     if (node.group != leftOut)
     {
-      todo.push_back({ number, lowerBound(node, ball) });
+      todo[size++] = { number, lowerBound(node, ball) };
     }
   };
   if (!this->nodes.empty())
   {
     add(0);
   }
-  while (!todo.empty() && least > enough)
+  while (size > 0 && least > enough)
   {
-    const Step step = todo.back();
-    todo.pop_back();
+    const Step step = todo[--size];
     if (step.bound >= least)
     {
       continue;
@@ -132,10 +133,10 @@ double BallTree::least(const Ball& ball, Index leftOut, double enough) const
     const Node& node = this->nodes[step.node];
     if (node.second != None)
     {
-      const std::size_t before = todo.size();
+      const std::size_t before = size;
       add(step.node + 1);
       add(node.second);
-      if (todo.size() == before + 2 && todo[before].bound < todo[before + 1].bound)
+      if (size == before + 2 && todo[before].bound < todo[before + 1].bound)
       {
         std::swap(todo[before], todo[before + 1]); // the nearer one next
       }

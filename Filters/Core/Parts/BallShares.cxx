@@ -41,24 +41,23 @@ IndexLists pointsOfBalls(const MedialAxis& axis, Index pointCount)
   });
 }
 
-/// Parts, ascending, each once, with shares in proportion to their sizes. Where none has a size, all are
-/// alike.
-std::vector<BallShare> sharesBySize(
-  const std::vector<Index>& parts, const std::vector<double>& sizeOfPart)
+/// Appends parts, ascending, each once, with shares in proportion to their sizes. Where none has a size, all
+/// are alike.
+void appendShares(
+  const std::vector<Index>& parts, const std::vector<double>& sizeOfPart, Lists<BallShare>& result)
 {
   double total = 0;
   for (const Index part : parts)
   {
     total += sizeOfPart[part];
   }
-  std::vector<BallShare> result;
   for (const Index part : parts)
   {
     const double share =
       total > 0 ? sizeOfPart[part] / total : 1 / static_cast<double>(parts.size());
-    result.push_back({ part, share });
+    result.items.push_back({ part, share });
   }
-  return result;
+  result.close();
 }
 }
 
@@ -73,11 +72,14 @@ Lists<BallShare> ballShares(const MedialAxis& axis, const std::vector<Index>& pa
     all.clear();
     for (const Index p : pointsOfBall[ball])
     {
-      partsOf(cellsOfPoint[p], partOfCell, parts);
+      distinctPartsOf(cellsOfPoint[p], partOfCell, parts);
       all.insert(all.end(), parts.begin(), parts.end());
     }
-    sortUnique(all);
-    result.append(sharesBySize(all, sizeOfPart));
+    if (pointsOfBall[ball].size() > 1)
+    {
+      sortUnique(all);
+    }
+    appendShares(all, sizeOfPart, result);
   }
   return result;
 }

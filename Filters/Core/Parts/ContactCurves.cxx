@@ -5,31 +5,33 @@
 #include "Base/Lists.h"
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 namespace medial
 {
 namespace
 {
-/// The edges along which the axis is no surface, with the parts that meet there.
+/// The edges along which the axis is no surface, with the parts that meet there. A contact is the place of
+/// such an edge in the list.
 struct ContactEdges
 {
-  std::vector<Index> edges;
-  std::map<Index, std::vector<Index>> parts;   ///< of each edge
-  std::map<Index, std::vector<Index>> atPoint; ///< the edges at each point
+  std::vector<Index> edges; ///< ascending
+  IndexLists parts;         ///< of each contact, ascending
+  IndexLists atPoint;       ///< the contacts at each point
 };
 
 ContactEdges contactEdges(const LivingCells& living, const Partition& partition)
 {
   const AxisEdges& edges = living.edges;
   ContactEdges result;
+  std::vector<Index> parts;
   for (Index e = 0; e < count(edges.points); ++e)
   {
     if (!living.isContact(e))
     {
       continue;
     }
-    std::vector<Index>& parts = result.parts[e];
+    parts.clear();
     for (const Index t : edges.triangles[e])
     {
       const Index part = partition.partOfCell[living.cells.firstTriangle() + t];
@@ -39,54 +41,63 @@ ContactEdges contactEdges(const LivingCells& living, const Partition& partition)
       }
     }
     sortUnique(parts);
+    result.parts.append(parts);
     result.edges.push_back(e);
-    for (const Index p : edges.points[e])
-    {
-      result.atPoint[p].push_back(e);
-    }
   }
+  result.atPoint = listsByKey(living.cellsOfPoint().size(), [&](const auto& add) {
+    for (Index contact = 0; contact < count(result.edges); ++contact)
+    {
+      for (const Index p : edges.points[result.edges[contact]])
+      {
+        add(p, contact);
+      }
+    }
+  });
   return result;
 }
 
-/// The next edge of a contact curve beyond its point, or None where the curve ends: at a point with one or
-/// more than two contact edges, and where other parts meet along the next edge.
-Index continuation(const ContactEdges& contacts, Index edge, Index point)
+/// The next contact of a curve beyond its point, or None where the curve ends: at a point with one or
+/// more than two contacts, and where other parts meet along the next one.
+Index continuation(const ContactEdges& contacts, Index contact, Index point)
 {
-  const std::vector<Index>& at = contacts.atPoint.at(point);
+  const IndexLists::View at = contacts.atPoint[point];
   if (at.size() != 2)
   {
     return None;
   }
-  const Index other = at[0] == edge ? at[1] : at[0];
-  return contacts.parts.at(other) == contacts.parts.at(edge) ? other : None;
+  const Index other = at[0] == contact ? at[1] : at[0];
+  const IndexLists::View here = contacts.parts[contact], there = contacts.parts[other];
+  return std::equal(here.begin(), here.end(), there.begin(), there.end()) ? other : None;
 }
 
 std::vector<ContactCurve> contactCurves(const AxisEdges& edges, const ContactEdges& contacts)
 {
   std::vector<ContactCurve> curves;
-  std::map<Index, bool> done;
-  const auto walk = [&](Index edge, Index point, std::vector<Index>& points) {
-    for (Index e = continuation(contacts, edge, point); e != None && !done[e];
-         e = continuation(contacts, e, point))
+  std::vector<char> done(contacts.edges.size(), 0);
+  const auto ends = [&](Index contact) { return edges.points[contacts.edges[contact]]; };
+  const auto walk = [&](Index contact, Index point, std::vector<Index>& points) {
+    for (Index next = continuation(contacts, contact, point); next != None && !done[next];
+         next = continuation(contacts, next, point))
     {
-      done[e] = true;
-      point = edges.points[e][0] == point ? edges.points[e][1] : edges.points[e][0];
+      done[next] = 1;
+      point = ends(next)[0] == point ? ends(next)[1] : ends(next)[0];
       points.push_back(point);
     }
   };
-  for (const Index e : contacts.edges)
+  for (Index contact = 0; contact < count(done); ++contact)
   {
-    if (done[e])
+    if (done[contact])
     {
       continue;
     }
-    done[e] = true;
-    std::vector<Index> forward{ edges.points[e][1] }, backward{ edges.points[e][0] };
-    walk(e, forward[0], forward);
-    walk(e, backward[0], backward);
+    done[contact] = 1;
+    std::vector<Index> forward{ ends(contact)[1] }, backward{ ends(contact)[0] };
+    walk(contact, forward[0], forward);
+    walk(contact, backward[0], backward);
     std::reverse(backward.begin(), backward.end());
     backward.insert(backward.end(), forward.begin(), forward.end());
-    curves.push_back({ backward, contacts.parts.at(e) });
+    const IndexLists::View parts = contacts.parts[contact];
+    curves.push_back({ std::move(backward), { parts.begin(), parts.end() } });
   }
   return curves;
 }
@@ -96,20 +107,18 @@ std::vector<ContactCurve> contactPoints(
   const LivingCells& living, const Partition& partition, const ContactEdges& contacts)
 {
   std::vector<ContactCurve> result;
-  std::vector<Index> parts;
+  std::vector<Index> parts, joined;
   for (Index p = 0; p < living.cellsOfPoint().size(); ++p)
   {
-    partsOf(living.cellsOfPoint()[p], partition.partOfCell, parts);
-    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    distinctPartsOf(living.cellsOfPoint()[p], partition.partOfCell, parts);
     if (parts.size() < 2)
     {
       continue;
     }
-    std::vector<Index> joined;
-    const auto at = contacts.atPoint.find(p);
-    for (std::size_t i = 0; at != contacts.atPoint.end() && i < at->second.size(); ++i)
+    joined.clear();
+    for (const Index contact : contacts.atPoint[p])
     {
-      const std::vector<Index>& along = contacts.parts.at(at->second[i]);
+      const IndexLists::View along = contacts.parts[contact];
       joined.insert(joined.end(), along.begin(), along.end());
     }
     sortUnique(joined);

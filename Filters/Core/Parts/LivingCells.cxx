@@ -220,9 +220,16 @@ bool LivingCells::isContact(Index edge) const
   {
     return this->atEdge[edge] > 2;
   }
+  if (std::binary_search(this->notches.begin(), this->notches.end(), edge))
+  {
+    return true;
+  }
+  if (this->bodyOfCell.empty())
+  {
+    return false;
+  }
   const auto [first, second] = this->trianglesOf(edge);
-  return !this->mayJoin(first, second) ||
-    std::binary_search(this->notches.begin(), this->notches.end(), edge);
+  return !this->mayJoin(first, second);
 }
 
 void LivingCells::joinAtPoint(Index point)

@@ -138,8 +138,7 @@ Values meanRadii(const PartMeasures& measures, const Partition& partition, const
   std::vector<Index> parts;
   for (Index p = 0; p < measures.cellsOfPoint.size(); ++p)
   {
-    partsOf(measures.cellsOfPoint[p], partition.partOfCell, parts);
-    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+    distinctPartsOf(measures.cellsOfPoint[p], partition.partOfCell, parts);
     for (const Index part : parts)
     {
       result[part] += measures.axis.radii[p] / counts[part];

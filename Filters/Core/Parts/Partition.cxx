@@ -173,6 +173,24 @@ void findAllLevels(const LivingCells& living, Partition& partition)
   spreadLevels(living, 0, partition);
 }
 
+void distinctPartsOf(
+  IndexLists::View cells, const std::vector<Index>& partOfCell, std::vector<Index>& parts)
+{
+  parts.clear();
+  for (const Index cell : cells)
+  {
+    const Index part = partOfCell[cell];
+    if (part != None && (parts.empty() || parts.back() != part))
+    {
+      parts.push_back(part);
+    }
+  }
+  if (parts.size() > 1)
+  {
+    sortUnique(parts);
+  }
+}
+
 void partsOf(
   IndexLists::View cells, const std::vector<Index>& partOfCell, std::vector<Index>& parts)
 {

@@ -54,7 +54,11 @@ void forTouchingParts(const LivingCells& living, const Partition& partition, con
   }
 }
 
-/// The parts of some cells, ascending, with repeats; cells without a part are left out.
+/// The parts of some cells, ascending, each once; cells without a part are left out.
+void distinctPartsOf(
+  IndexLists::View cells, const std::vector<Index>& partOfCell, std::vector<Index>& parts);
+
+/// The same with repeats.
 void partsOf(
   IndexLists::View cells, const std::vector<Index>& partOfCell, std::vector<Index>& parts);
 }
