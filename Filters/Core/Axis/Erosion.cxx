@@ -85,6 +85,7 @@ public:
     , burnt(time.size(), 0)
     , sectorsLeft(axisSectors.sectorsAt())
   {
+    this->trianglesLeft.reserve(2 * this->edges.points.size());
     for (Index e = 0; e < count(this->edges.points); ++e)
     {
       this->trianglesLeft.insert(this->trianglesLeft.end(), 2, this->edges.triangles[e].size());

@@ -46,6 +46,21 @@ SiteView viewOf(const std::vector<Ball>& corners, const std::vector<Point>& site
   return sites.empty() ? siteView(corners) : siteView(centroid, sites);
 }
 
+/// Of a triangle of an axis that has no other cells yet.
+SiteView viewOfTriangle(const AxisComplex& axis, Index triangle, const std::vector<Point>& sites)
+{
+  if (sites.empty())
+  {
+    return siteView(cornerBalls(axis, triangle));
+  }
+  Point centroid = Point::Zero();
+  for (const Index p : axis.cells.triangles[triangle])
+  {
+    centroid += axis.points[p] / 3.0;
+  }
+  return siteView(centroid, sites);
+}
+
 /// Sees to it that a centroid that was added to the points is at no other point's place.
 class AddedCentroids
 {
@@ -121,7 +136,7 @@ void addTriangles(const std::vector<FacePolygon>& polygons, const SiteTriangulat
     }
     for (Index t = firstOfPolygon; t < count(axis.cells.triangles); ++t)
     {
-      axis.siteViews.push_back(viewOf(cornerBalls(axis, t), positions));
+      axis.siteViews.push_back(viewOfTriangle(axis, t, positions));
     }
     ++number;
   }
@@ -174,8 +189,19 @@ void addCells(const std::vector<FacePolygon>& polygons, const SiteTriangulation&
   const Execution& execution)
 {
   std::map<Edge, std::vector<Point>> dangling;
-  EdgeSet sidesOfFaces(3 * polygons.size()),
-    edges(5 * polygons.size()); // of polygons of six corners
+  std::vector<char> hasDangling(axis.points.size(), 0);
+  for (const FacePolygon& polygon : polygons)
+  {
+    const std::vector<Index>& corners = polygon.corners;
+    if (corners.size() == 2)
+    {
+      dangling.emplace(Edge{ std::min(corners[0], corners[1]), std::max(corners[0], corners[1]) },
+        sitesOf(polygon, sites, singularPoints.positions));
+      hasDangling[corners[0]] = hasDangling[corners[1]] = 1;
+    }
+  }
+  EdgeSet sidesOfFaces;               // that may be dangling edges, too
+  EdgeSet edges(5 * polygons.size()); // of polygons of six corners
   for (const FacePolygon& polygon : polygons)
   {
     const std::vector<Index>& corners = polygon.corners;
@@ -183,15 +209,10 @@ void addCells(const std::vector<FacePolygon>& polygons, const SiteTriangulation&
     {
       const Index a = corners[k], b = corners[(k + 1) % corners.size()];
       edges.insert(a, b);
-      if (corners.size() > 2)
+      if (corners.size() > 2 && hasDangling[a] && hasDangling[b])
       {
         sidesOfFaces.insert(a, b);
       }
-    }
-    if (corners.size() == 2)
-    {
-      dangling.emplace(Edge{ std::min(corners[0], corners[1]), std::max(corners[0], corners[1]) },
-        sitesOf(polygon, sites, singularPoints.positions));
     }
   }
   execution.poll();
