@@ -8,6 +8,7 @@
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -31,14 +32,28 @@ vtkSmartPointer<vtkPoints> points(const Values& values, Field field = {})
 template <typename Cells>
 vtkSmartPointer<vtkCellArray> cellArray(const Cells& cells)
 {
-  auto result = vtkSmartPointer<vtkCellArray>::New();
-  std::vector<vtkIdType> corners;
-  for (vtkIdType i = 0; i < static_cast<vtkIdType>(cells.size()); ++i)
+  const auto cellCount = static_cast<Index>(cells.size());
+  vtkIdType cornerCount = 0;
+  for (Index i = 0; i < cellCount; ++i)
   {
-    const auto& cell = cells[static_cast<Index>(i)];
-    corners.assign(cell.begin(), cell.end());
-    result->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+    cornerCount += static_cast<vtkIdType>(cells[i].size());
   }
+  // In arrays of the very size, since a cell array that grows keeps up to twice the memory.
+  vtkNew<vtkCellArray::ArrayType64> offsets, corners;
+  offsets->SetNumberOfValues(cellCount + 1);
+  corners->SetNumberOfValues(cornerCount);
+  vtkIdType next = 0;
+  for (Index i = 0; i < cellCount; ++i)
+  {
+    offsets->SetValue(i, next);
+    for (const Index corner : cells[i])
+    {
+      corners->SetValue(next++, corner);
+    }
+  }
+  offsets->SetValue(cellCount, next);
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  result->SetData(offsets, corners);
   return result;
 }
 
