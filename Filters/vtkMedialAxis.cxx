@@ -3,10 +3,10 @@
 
 #include "Axis/AxisWarnings.h"
 #include "Conversion/Axis.h"
-#include "Conversion/Balls.h"
 #include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 #include "Pipeline/ReportWarnings.h"
+#include "Pipeline/SharedBalls.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -40,9 +40,9 @@ int vtkMedialAxis::RequestData(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::AxisOptions options{ static_cast<medial::AxisFallback>(this->Fallback),
         this->Trim };
-      const medial::PolarBalls polarBalls = medial::readPolarBalls(balls);
+      const auto polarBalls = medial::ballsOf(balls, this->Shared);
       execution.poll();
-      const medial::MedialAxis axis = medial::medialAxis(polarBalls, options, execution);
+      const medial::MedialAxis axis = medial::medialAxis(*polarBalls, options, execution);
       medial::write(axis, balls, output);
       medial::reportWarnings(this, medial::axisWarnings(axis), { output });
     });

@@ -70,6 +70,11 @@
 #include "vtkFiltersMedialModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+namespace medial
+{
+class SharedBalls;
+}
+
 class VTKFILTERSMEDIAL_EXPORT vtkMedialAxis : public vtkPolyDataAlgorithm
 {
 public:
@@ -133,6 +138,9 @@ private:
 
   int Fallback = COLLAPSE;
   double Trim = 0;
+
+  friend class vtkSimplifyShape;
+  medial::SharedBalls* Shared = nullptr; ///< set while vtkSimplifyShape works
 };
 
 #endif

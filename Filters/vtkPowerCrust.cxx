@@ -5,7 +5,6 @@
 #include "Axis/MedialAxis.h"
 #include "Collections/Objects.h"
 #include "Conversion/Axis.h"
-#include "Conversion/Balls.h"
 #include "Conversion/Crust.h"
 #include "Conversion/Parts.h"
 #include "Conversion/Verdict.h"
@@ -15,6 +14,7 @@
 #include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 #include "Pipeline/ReportWarnings.h"
+#include "Pipeline/SharedBalls.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -105,7 +105,7 @@ int vtkPowerCrust::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
-      const medial::PolarBalls balls = medial::readPolarBalls(input);
+      const auto balls = medial::ballsOf(input, this->Shared);
       vtkPolyData* axis = medial::axisOf(input, axes);
       execution.poll();
       const KeptBalls kept(axis, input);
@@ -113,7 +113,7 @@ int vtkPowerCrust::RequestData(
       medial::Findings findings = medial::readFindings(input, axis);
       const medial::CrustOptions options{ static_cast<medial::CrustRule>(this->Rule),
         this->Clearance, this->MaximumRounds, kept.Topology };
-      const medial::Crust crust = medial::powerCrust(balls, kept.Flags, options, execution);
+      const medial::Crust crust = medial::powerCrust(*balls, kept.Flags, options, execution);
       medial::write(crust, kept.Parts, input, output);
       medial::addWarnings(output->GetFieldData(), findings.warnings); // the axis has more
       medial::reportWarnings(this, crust.warnings, { output });

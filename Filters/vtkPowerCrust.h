@@ -64,6 +64,11 @@
 #include "vtkFiltersMedialModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+namespace medial
+{
+class SharedBalls;
+}
+
 class VTKFILTERSMEDIAL_EXPORT vtkPowerCrust : public vtkPolyDataAlgorithm
 {
 public:
@@ -145,6 +150,9 @@ private:
   int Rule = CLEARANCE;
   double Clearance = 1;
   int MaximumRounds = 10;
+
+  friend class vtkSimplifyShape;
+  medial::SharedBalls* Shared = nullptr; ///< set while vtkSimplifyShape works
 };
 
 #endif

@@ -6,6 +6,7 @@
 #include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 #include "Pipeline/RunStage.h"
+#include "Pipeline/SharedBalls.h"
 #include "Samples/ClosedSurface.h"
 #include "vtkBoundarySamples.h"
 #include "vtkImageBoundary.h"
@@ -365,6 +366,8 @@ int vtkSimplifyShape::RequestData(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       vtkPointSet* mesh = this->MeshOf(input, execution.between(0, 0.02));
       this->ReadSource(mesh, execution.between(0.02, 0.4));
+      const medial::SharedBalls shared(
+        { &this->Axis->Shared, &this->UnprunedCrust->Shared, &this->Crust->Shared });
       medial::runStages(this, stages, execution.between(0.4, 1));
       vtkDataObject::GetData(outputVector, 0)->ShallowCopy(this->Crust->GetOutput());
       vtkDataObject::GetData(outputVector, 1)->ShallowCopy(this->Parts->GetOutput());
