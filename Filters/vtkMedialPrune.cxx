@@ -87,6 +87,12 @@ vtkMedialPrune::vtkMedialPrune()
 
 vtkMedialPrune::~vtkMedialPrune() = default;
 
+void vtkMedialPrune::ForgetAxis()
+{
+  this->Axis->Input = nullptr;
+  this->Axis->Prepared.reset();
+}
+
 void vtkMedialPrune::ClearIterations()
 {
   this->Lists->Schedule.clear();

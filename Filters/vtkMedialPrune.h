@@ -346,6 +346,9 @@ private:
 
   void RefuseSchedule(const std::string& fault);
 
+  friend class vtkSimplifyShape;
+  void ForgetAxis(); ///< that is kept for the next threshold
+
   struct vtkLists;
   struct vtkAxis;
   std::unique_ptr<vtkLists> Lists;

@@ -260,15 +260,6 @@ int vtkSimplifyShape::RequestUpdateExtent(
   return medial::requestWholeInputs(this, request, inputVector, outputVector);
 }
 
-/// A copy, which has no pipeline behind it.
-template <typename Data>
-static vtkSmartPointer<Data> copyOf(Data* input)
-{
-  const auto result = vtkSmartPointer<Data>::Take(input->NewInstance());
-  result->ShallowCopy(input);
-  return result;
-}
-
 /// The input, or the surface of the solid in an image. An image that has not changed keeps its surface.
 vtkPointSet* vtkSimplifyShape::MeshOf(vtkDataObject* input, const medial::Execution& execution)
 {
@@ -279,7 +270,7 @@ vtkPointSet* vtkSimplifyShape::MeshOf(vtkDataObject* input, const medial::Execut
   }
   if (image->GetMTime() != this->ImageTime)
   {
-    this->Image->SetOutput(copyOf(image));
+    this->Image->SetOutput(medial::copyOf(image));
     this->ImageTime = image->GetMTime();
   }
   medial::runStages(this, { { this->Voxels, 1 } }, execution);
@@ -292,8 +283,8 @@ void vtkSimplifyShape::SetInput(vtkPointSet* input)
 {
   if (input->GetMTime() != this->InputTime)
   {
-    this->Mesh->SetOutput(copyOf(input));
-    this->Points->SetOutput(copyOf(input));
+    this->Mesh->SetOutput(medial::copyOf(input));
+    this->Points->SetOutput(medial::copyOf(input));
     this->NotSolid.clear();
     this->InputTime = input->GetMTime();
   }
@@ -305,7 +296,7 @@ void vtkSimplifyShape::TakePoints(vtkPointSet* input, const std::string& notSoli
 {
   if (notSolid != this->NotSolid)
   {
-    const auto points = copyOf(input);
+    const auto points = medial::copyOf(input);
     medial::addWarnings(points->GetFieldData(),
       { medial::notASolid(notSolid, static_cast<medial::Index>(input->GetNumberOfCells())) });
     this->Points->SetOutput(points);
@@ -316,12 +307,9 @@ void vtkSimplifyShape::TakePoints(vtkPointSet* input, const std::string& notSoli
 
 void vtkSimplifyShape::TakeBalls(vtkAlgorithmOutput* balls)
 {
-  if (this->Axis->GetInputConnection(0, 0) != balls)
-  {
-    this->Axis->SetInputConnection(balls);
-    this->Crust->SetInputConnection(balls);
-    this->UnprunedCrust->SetInputConnection(balls);
-  }
+  this->Axis->SetInputConnection(balls);
+  this->Crust->SetInputConnection(balls);
+  this->UnprunedCrust->SetInputConnection(balls);
 }
 
 /// Makes the balls of samples of the polygons of the input, or of its points.
@@ -352,23 +340,36 @@ void vtkSimplifyShape::ReadSource(vtkPointSet* input, const medial::Execution& e
   medial::runStages(this, { { this->Balls, 1 } }, execution);
 }
 
+/// Makes the axis and prunes it. What only this needs goes unless it is to be kept.
+void vtkSimplifyShape::PruneAxis(const medial::Execution& execution)
+{
+  std::vector<medial::Stage> stages = { { this->Axis, 0.75 }, { this->Prune, 0.25 } };
+  if (this->MakeUnpruned)
+  {
+    stages = { { this->Axis, 0.55 }, { this->UnprunedParts, 0.05 },
+      { this->UnprunedCrust, 0.2, false }, { this->Prune, 0.2 } };
+  }
+  medial::runStages(this, stages, execution);
+  if (!this->KeepAxis)
+  {
+    medial::releaseOutputs({ this->Axis, this->UnprunedParts, this->UnprunedCrust });
+    this->Prune->ForgetAxis();
+  }
+}
+
 int vtkSimplifyShape::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  using Stages = std::vector<medial::Stage>;
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  const Stages stages = this->MakeUnpruned
-    ? Stages{ { this->Axis, 0.45 }, { this->UnprunedParts, 0.05 }, { this->Prune, 0.15 },
-        { this->Parts, 0.05 }, { this->UnprunedCrust, 0.15, false }, { this->Crust, 0.15 } }
-    : Stages{ { this->Axis, 0.5 }, { this->Prune, 0.15 }, { this->Parts, 0.05 },
-        { this->Crust, 0.3 } };
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
-      vtkPointSet* mesh = this->MeshOf(input, execution.between(0, 0.02));
-      this->ReadSource(mesh, execution.between(0.02, 0.4));
+      this->ReadSource(
+        this->MeshOf(vtkDataObject::GetData(inputVector[0]), execution.between(0, 0.02)),
+        execution.between(0.02, 0.4));
       const medial::SharedBalls shared(
         { &this->Axis->Shared, &this->UnprunedCrust->Shared, &this->Crust->Shared });
-      medial::runStages(this, stages, execution.between(0.4, 1));
+      this->PruneAxis(execution.between(0.4, 0.8));
+      medial::runStages(
+        this, { { this->Parts, 0.2 }, { this->Crust, 0.8 } }, execution.between(0.8, 1));
       vtkDataObject::GetData(outputVector, 0)->ShallowCopy(this->Crust->GetOutput());
       vtkDataObject::GetData(outputVector, 1)->ShallowCopy(this->Parts->GetOutput());
       vtkDataObject::GetData(outputVector, 2)->ShallowCopy(this->Parts->GetOutputDataObject(1));
@@ -385,6 +386,7 @@ void vtkSimplifyShape::PrintSelf(ostream& os, vtkIndent indent)
   };
   os << indent << "UseTriangles: " << this->UseTriangles << "\n";
   os << indent << "MakeUnpruned: " << (this->MakeUnpruned ? "on" : "off") << "\n";
+  os << indent << "KeepAxis: " << (this->KeepAxis ? "on" : "off") << "\n";
   print("ImageBoundary", this->Voxels);
   print("BoundarySamples", this->Boundary);
   print("PolarBalls", this->Balls);

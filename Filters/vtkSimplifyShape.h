@@ -171,6 +171,18 @@ public:
 
   ///@{
   /**
+   * Keep the axis before pruning, and what is made of it? If not, the outputs of GetMedialAxis(),
+   * GetUnprunedPartDecomposition() and GetUnprunedPowerCrust() lose all but their field data and tables when the axis
+   * has been pruned, which saves up to a third of the memory; read them in the stages' EndEvent. Each
+   * update then makes the axis again. Outputs 0 to 3 do not depend on this property. Default on.
+   */
+  vtkSetMacro(KeepAxis, bool);
+  vtkGetMacro(KeepAxis, bool);
+  vtkBooleanMacro(KeepAxis, bool);
+  ///@}
+
+  ///@{
+  /**
    * The stages, in the order in which they run: to set their other properties and, after an update, to
    * read their outputs. Their inputs are connected already; update this filter, not the stages.
    */
@@ -233,11 +245,13 @@ private:
   void TakeBalls(vtkAlgorithmOutput* balls);
   bool TakesSamples();
   void ReadSource(vtkPointSet* input, const medial::Execution& execution);
+  void PruneAxis(const medial::Execution& execution);
 
   int UseTriangles = AUTO;
   vtkMTimeType InputTime = 0;
   vtkMTimeType ImageTime = 0;
   bool MakeUnpruned = false;
+  bool KeepAxis = true;
   std::string NotSolid;              ///< why the polygons of the input were not sampled
   vtkNew<vtkTrivialProducer> Image;  ///< the input, if it is one
   vtkNew<vtkTrivialProducer> Mesh;   ///< the input, or the surface in the image

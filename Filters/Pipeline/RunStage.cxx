@@ -10,8 +10,10 @@
 #include "vtkCommand.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkOutputWindow.h"
+#include "vtkPointSet.h"
 
 namespace medial
 {
@@ -112,6 +114,23 @@ void runStages(vtkAlgorithm* filter, const std::vector<Stage>& stages, const Exe
   {
     runStage(filter, stage, execution.between(done, done + stage.share));
     done += stage.share;
+  }
+}
+
+void releaseOutputs(const std::vector<vtkAlgorithm*>& stages)
+{
+  for (vtkAlgorithm* stage : stages)
+  {
+    for (int port = 0; port < stage->GetNumberOfOutputPorts(); ++port)
+    {
+      if (auto* output = vtkPointSet::SafeDownCast(stage->GetOutputDataObject(port)))
+      {
+        vtkNew<vtkFieldData> field;
+        field->ShallowCopy(output->GetFieldData());
+        output->ReleaseData();
+        output->SetFieldData(field);
+      }
+    }
   }
 }
 }

@@ -4,6 +4,8 @@
 
 #include "Base/Execution.h"
 
+#include "vtkSmartPointer.h"
+
 #include <vector>
 
 class vtkAlgorithm;
@@ -25,6 +27,18 @@ struct Stage
 /// @throw Aborted       execution wants to stop
 /// @throw InvalidInput  the error message of the first stage that fails
 void runStages(vtkAlgorithm* filter, const std::vector<Stage>& stages, const Execution& execution);
+
+/// A copy, which has no pipeline behind it.
+template <typename Data>
+vtkSmartPointer<Data> copyOf(Data* input)
+{
+  const auto result = vtkSmartPointer<Data>::Take(input->NewInstance());
+  result->ShallowCopy(input);
+  return result;
+}
+
+/// Takes points, cells and their arrays out of the outputs of stages. An update of these makes them again.
+void releaseOutputs(const std::vector<vtkAlgorithm*>& stages);
 }
 
 #endif
