@@ -8,12 +8,14 @@
 #include <vtkFieldData.h>
 #include <vtkTable.h>
 
+#include <array>
+#include <charconv>
 #include <limits>
-#include <sstream>
+#include <vector>
 
 namespace
 {
-void writeHeader(std::ostream& out, vtkTable* table)
+void addHeader(std::string& text, vtkTable* table)
 {
   const char* separator = "";
   for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
@@ -22,53 +24,65 @@ void writeHeader(std::ostream& out, vtkTable* table)
     const int components = column->GetNumberOfComponents();
     for (int k = 0; k < components; ++k)
     {
-      out << separator << column->GetName();
+      text += separator;
+      text += column->GetName();
       if (components > 1)
       {
-        out << ':' << k;
+        text += ':' + std::to_string(k);
       }
       separator = ",";
     }
   }
-  out << '\n';
+  text += '\n';
+}
+
+void addNumber(std::string& text, double value)
+{
+  std::array<char, 32> digits;
+  const auto [end, error] = std::to_chars(digits.begin(), digits.end(), value,
+    std::chars_format::general, std::numeric_limits<double>::max_digits10);
+  text.append(digits.begin(), end);
 }
 
 /// Texts are words of schedules, without commas and quotes.
-void writeRow(std::ostream& out, vtkTable* table, vtkIdType row)
+void addRow(std::string& text, const std::vector<vtkAbstractArray*>& columns, vtkIdType row)
 {
   const char* separator = "";
-  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
+  for (vtkAbstractArray* column : columns)
   {
-    vtkAbstractArray* column = table->GetColumn(i);
     auto* numbers = vtkDataArray::SafeDownCast(column);
     for (int k = 0; k < column->GetNumberOfComponents(); ++k)
     {
-      out << separator;
+      text += separator;
       separator = ",";
       if (numbers)
       {
-        out << numbers->GetComponent(row, k);
+        addNumber(text, numbers->GetComponent(row, k));
       }
       else
       {
-        out << column->GetVariantValue(row).ToString();
+        text += column->GetVariantValue(row).ToString();
       }
     }
   }
-  out << '\n';
+  text += '\n';
 }
 }
 
 std::string csv(vtkTable* table)
 {
-  std::ostringstream out;
-  out.precision(std::numeric_limits<double>::max_digits10);
-  writeHeader(out, table);
+  std::string text;
+  addHeader(text, table);
+  std::vector<vtkAbstractArray*> columns;
+  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
+  {
+    columns.push_back(table->GetColumn(i));
+  }
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    writeRow(out, table, row);
+    addRow(text, columns, row);
   }
-  return out.str();
+  return text;
 }
 
 double fieldValue(vtkDataObject* output, const char* array, int component)
