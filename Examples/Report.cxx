@@ -357,8 +357,8 @@ std::string report(
     "\n}\n";
 }
 
-std::string summary(
-  vtkSimplifyShape* simplify, const Input& input, const Arguments& arguments, double total)
+std::string summary(vtkSimplifyShape* simplify, const Input& input, const Arguments& arguments,
+  vtkIdType axisTriangles, double total)
 {
   vtkDataObject* samples = simplify->GetBalls();
   std::ostringstream out;
@@ -371,8 +371,7 @@ std::string summary(
       << "\n"
       << "  balls     " << grouped(fieldValue(samples, "NumberOfInnerBalls")) << " inner, "
       << grouped(fieldValue(samples, "NumberOfOuterBalls")) << " outer\n"
-      << "  axis      " << grouped(simplify->GetMedialAxis()->GetOutput()->GetNumberOfPolys())
-      << " triangles in "
+      << "  axis      " << grouped(double(axisTriangles)) << " triangles in "
       << grouped(fieldValue(simplify->GetUnprunedPartDecomposition()->GetOutput(), "NumberOfParts"))
       << " parts\n"
       << scheduleLines(simplify) << surfaceLine(simplify) << bettiLine(simplify)

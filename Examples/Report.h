@@ -2,6 +2,8 @@
 #ifndef Report_h
 #define Report_h
 
+#include <vtkType.h>
+
 #include <string>
 
 struct Arguments;
@@ -18,8 +20,8 @@ std::string report(
   vtkSimplifyShape* simplify, const Input& input, const Progress& progress, double total);
 
 /// The few lines that are printed at the end.
-std::string summary(
-  vtkSimplifyShape* simplify, const Input& input, const Arguments& arguments, double total);
+std::string summary(vtkSimplifyShape* simplify, const Input& input, const Arguments& arguments,
+  vtkIdType axisTriangles, double total);
 
 /// A count with commas between thousands.
 std::string grouped(double count);

@@ -14,6 +14,7 @@
 #include "ReadPoints.h"
 #include "Report.h"
 #include "ResultNames.h"
+#include "Results.h"
 #include "Signals.h"
 #include "Tables.h"
 #include "Verdict.h"
@@ -32,12 +33,9 @@
 #include <vtkPolyData.h>
 #include <vtkPowerCrust.h>
 #include <vtkSMPTools.h>
-#include <vtkSTLWriter.h>
 #include <vtkSimplifyShape.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLPolyDataWriter.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <chrono>
 #include <exception>
@@ -138,10 +136,11 @@ void checkPartsToRemove(vtkSimplifyShape* simplify, const Arguments& arguments)
 
 /// Runs all stages.
 /// @throw UsageError  a part to be removed does not exist
-/// @throw InputError  a stage can't use what it gets
-void run(vtkSimplifyShape* simplify, const Arguments& arguments)
+/// @throw InputError  a stage can't use what it gets, or a file can't be written
+void run(vtkSimplifyShape* simplify, const Arguments& arguments, const Results& results)
 {
   simplify->Update();
+  results.check();
   // If a part does not exist, pruning has failed. The message of this check says more.
   checkPartsToRemove(simplify, arguments);
   const std::string reason =
@@ -155,39 +154,6 @@ void run(vtkSimplifyShape* simplify, const Arguments& arguments)
       (isUnclear ? " (--label N or --iso X)" : ""));
   }
   messages::clear();
-}
-
-/// Writes the arrays as text within the XML. By default VTK appends raw data after the XML, which
-/// ParaView 5.11 can't read with the expat library of an updated Debian 12. The lowest level of compression takes
-/// 40 % of the usual one's time; the files become 4 % larger.
-template <typename Writer>
-void write(vtkDataObject* data, const std::string& name, OutputFolder& folder)
-{
-  vtkNew<Writer> writer;
-  writer->SetInputData(data);
-  writer->SetDataModeToBinary();
-  writer->SetCompressionLevel(1);
-  folder.write(writer, name);
-}
-
-void writeData(vtkSimplifyShape* simplify, OutputFolder& folder)
-{
-  write<vtkXMLUnstructuredGridWriter>(simplify->GetBalls(), "balls.vtu", folder);
-  write<vtkXMLPolyDataWriter>(simplify->GetSamples(), "samples.vtp", folder);
-  write<vtkXMLPolyDataWriter>(simplify->GetMedialAxis()->GetOutput(), "axis.vtp", folder);
-  write<vtkXMLPolyDataWriter>(
-    simplify->GetUnprunedPartDecomposition()->GetOutput(), "parts.vtp", folder);
-  write<vtkXMLPolyDataWriter>(simplify->GetMedialPrune()->GetOutput(), "pruned.vtp", folder);
-  write<vtkXMLPolyDataWriter>(simplify->GetOutput(), "surface.vtp", folder);
-  vtkNew<vtkSTLWriter> triangles;
-  triangles->SetInputData(simplify->GetOutput());
-  triangles->SetFileTypeToBinary();
-  folder.write(triangles, "surface.stl");
-  folder.writeText(
-    csv(vtkTable::SafeDownCast(simplify->GetUnprunedPartDecomposition()->GetOutputDataObject(1))),
-    "parts.csv");
-  folder.writeText(
-    csv(vtkTable::SafeDownCast(simplify->GetMedialPrune()->GetOutputDataObject(1))), "history.csv");
 }
 
 Captions captionsOf(vtkSimplifyShape* simplify)
@@ -241,15 +207,17 @@ ExitCode simplify(const Arguments& arguments)
   setProperties(filter, arguments);
   Progress progress(arguments.quiet);
   watchStages(filter, progress);
-  run(filter, arguments);
+  Results results(filter, folder);
+  run(filter, arguments, results);
   const double total =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  writeData(filter, folder);
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() -
+    results.seconds();
+  results.writeRest();
   folder.writeText(report(filter, input, progress, total), "report.json");
   folder.publish(ResultNames);
   if (!arguments.quiet)
   {
-    std::cout << summary(filter, input, arguments, total);
+    std::cout << summary(filter, input, arguments, results.axisTriangles(), total);
   }
   if (drawing)
   {
