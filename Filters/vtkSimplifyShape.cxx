@@ -20,7 +20,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
-#include "vtkTable.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -343,12 +342,10 @@ void vtkSimplifyShape::ReadSource(vtkPointSet* input, const medial::Execution& e
 /// Makes the axis and prunes it. What only this needs goes unless it is to be kept.
 void vtkSimplifyShape::PruneAxis(const medial::Execution& execution)
 {
-  std::vector<medial::Stage> stages = { { this->Axis, 0.75 }, { this->Prune, 0.25 } };
-  if (this->MakeUnpruned)
-  {
-    stages = { { this->Axis, 0.55 }, { this->UnprunedParts, 0.05 },
-      { this->UnprunedCrust, 0.2, false }, { this->Prune, 0.2 } };
-  }
+  using Stages = std::vector<medial::Stage>;
+  const Stages stages = this->MakeUnpruned ? Stages{ { this->Axis, 0.55 },
+    { this->UnprunedParts, 0.05 }, { this->UnprunedCrust, 0.2, false }, { this->Prune, 0.2 } }
+                                           : Stages{ { this->Axis, 0.75 }, { this->Prune, 0.25 } };
   medial::runStages(this, stages, execution);
   if (!this->KeepAxis)
   {
@@ -368,8 +365,11 @@ int vtkSimplifyShape::RequestData(
       const medial::SharedBalls shared(
         { &this->Axis->Shared, &this->UnprunedCrust->Shared, &this->Crust->Shared });
       this->PruneAxis(execution.between(0.4, 0.8));
-      medial::runStages(
-        this, { { this->Parts, 0.2 }, { this->Crust, 0.8 } }, execution.between(0.8, 1));
+      // A crust of another axis than that with the parts comes first: it needs the memory.
+      const bool readsParts = this->Crust->GetInputAlgorithm(1, 0) == this->Parts;
+      const medial::Stage parts{ this->Parts, 0.2 }, crust{ this->Crust, 0.8 };
+      medial::runStages(this, { readsParts ? parts : crust, readsParts ? crust : parts },
+        execution.between(0.8, 1));
       vtkDataObject::GetData(outputVector, 0)->ShallowCopy(this->Crust->GetOutput());
       vtkDataObject::GetData(outputVector, 1)->ShallowCopy(this->Parts->GetOutput());
       vtkDataObject::GetData(outputVector, 2)->ShallowCopy(this->Parts->GetOutputDataObject(1));

@@ -248,10 +248,12 @@ PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
   points.checkLengths(ballCount);
   PolarBalls result;
   const std::vector<double> radii = points.reals(names::Radius, ballCount, 0);
+  result.balls.reserve(ballCount);
   for (const Point& center : readFinitePoints(input, TakePolarBalls))
   {
     result.balls.push_back({ center, radii[result.balls.size()] });
   }
+  result.sides.reserve(ballCount);
   for (const Index side : points.indices(names::Side, ballCount, 0, 3))
   {
     result.sides.push_back(static_cast<Side>(side));
@@ -262,6 +264,7 @@ PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
 
   const std::vector<double> samples =
     field.reals(names::Samples, AnyCount, std::numeric_limits<double>::lowest(), 3);
+  result.samples.reserve(samples.size() / 3);
   for (std::size_t i = 0; i < samples.size(); i += 3)
   {
     result.samples.emplace_back(samples[i], samples[i + 1], samples[i + 2]);

@@ -120,6 +120,7 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
     if use_triangles is not None:
         filter.SetUseTriangles(filter.ON if use_triangles else filter.OFF)
     filter.SetTrim(trim)
+    filter.KeepAxisOff()
     filter.SetWrap(wrap is not False)
     filter.SetWrapWidth(0 if isinstance(wrap, bool) else wrap)
     if isinstance(schedule, str):

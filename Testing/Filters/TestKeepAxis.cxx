@@ -65,6 +65,16 @@ TEST(KeepAxis, OffGivesTheSame)
   }
 }
 
+/// Then it comes before the parts.
+TEST(KeepAxis, OffGivesTheSameWhereTheCrustReadsAnotherAxis)
+{
+  const auto kept = simplifyBox(true, false), released = simplifyBox(false, true);
+  released->GetPowerCrust()->SetAxisConnection(released->GetMedialPrune()->GetOutputPort());
+  kept->Update();
+  released->Update();
+  expectSameOutputs(released, kept);
+}
+
 TEST(KeepAxis, OffLeavesFieldDataAndTablesOfWhatWasNotPruned)
 {
   const auto kept = simplifyBox(true, true), released = simplifyBox(false, true);
