@@ -26,12 +26,14 @@ bool diagonalsAreNew(const std::vector<Index>& polygon, Index apex, const EdgeSe
   return true;
 }
 
-double leastArea(const std::vector<Index>& polygon, Index apex, const std::vector<Point>& points)
+/// @param enough  a value of at most this much need not be the least
+double leastArea(
+  const std::vector<Index>& polygon, Index apex, const std::vector<Point>& points, double enough)
 {
   const Index n = count(polygon);
   double least = std::numeric_limits<double>::infinity();
   const Point& a = points[polygon[apex]];
-  for (Index k = 1; k + 1 < n; ++k)
+  for (Index k = 1; k + 1 < n && least > enough; ++k)
   {
     const Point &b = points[polygon[(apex + k) % n]], &c = points[polygon[(apex + k + 1) % n]];
     least = std::min(least, (b - a).cross(c - a).squaredNorm());
@@ -71,7 +73,7 @@ std::vector<Triangle> triangulate(
   double bestArea = -1;
   for (Index apex = 0; apex < std::min(n, fansTried); ++apex)
   {
-    const double area = leastArea(polygon, apex, points);
+    const double area = leastArea(polygon, apex, points, bestArea);
     if (area > bestArea && diagonalsAreNew(polygon, apex, edges))
     {
       best = apex;

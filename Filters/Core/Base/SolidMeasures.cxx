@@ -2,7 +2,7 @@
 #include "Base/SolidMeasures.h"
 
 #include "Base/DisjointSets.h"
-#include "Base/EdgeTable.h"
+#include "Base/Lists.h"
 
 #include <Eigen/Geometry>
 
@@ -13,40 +13,74 @@ namespace medial
 {
 namespace
 {
-/// Fills closed and manifold. Corner 3 * triangle + k is where a triangle has a point; edge 3 * triangle + k
-/// begins there. Corners at one point are joined across the edges there; a manifold has one group of corners at
-/// each point.
-void checkSurface(const std::vector<Triangle>& triangles, std::size_t pointCount,
-  SolidMeasures& result, const Execution& execution)
+/// For each edge, the one between the same points in the opposite direction; None where there is none, or
+/// another edge has it. Edge 3 * triangle + k begins at corner k.
+std::vector<Index> oppositeEdges(const std::vector<Triangle>& triangles, Index pointCount)
 {
-  const Index cornerCount = 3 * count(triangles), joined = cornerCount;
-  const auto next = [](Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
-  const auto pointAt = [&](Index corner) { return triangles[corner / 3][corner % 3]; };
-  EdgeTable edges(cornerCount / 2); // the edge that is met first; `joined` after the second one
-  DisjointSets fans(cornerCount);
-  Index pairs = 0;
-  for (Index corner = 0; corner < cornerCount; ++corner)
-  {
-    execution.pollAt(corner);
-    const Index a = pointAt(corner), b = pointAt(next(corner));
-    Index& first = edges.numberOf(std::min(a, b), std::max(a, b), corner);
-    if (first != corner && first != joined && pointAt(first) == b)
+  const auto begin = [&](Index edge) { return triangles[edge / 3][edge % 3]; };
+  const auto end = [&](Index edge) { return triangles[edge / 3][(edge + 1) % 3]; };
+  const IndexLists atLowerEnd = listsByKey(pointCount, [&](const auto& add) {
+    for (Index t = 0; t < count(triangles); ++t)
     {
-      fans.unite(corner, next(first));
-      fans.unite(next(corner), first);
-      first = joined;
-      ++pairs;
+      const auto [a, b, c] = triangles[t];
+      add(std::min(a, b), 3 * t);
+      add(std::min(b, c), 3 * t + 1);
+      add(std::min(c, a), 3 * t + 2);
+    }
+  });
+  std::vector<Index> result(3 * triangles.size(), None);
+  std::vector<Index> lower(pointCount, None), first(pointCount); // by the upper end
+  for (Index p = 0; p < pointCount; ++p)
+  {
+    for (const Index edge : atLowerEnd[p])
+    {
+      const Index upper = std::max(begin(edge), end(edge));
+      if (lower[upper] != p)
+      {
+        lower[upper] = p;
+        first[upper] = edge;
+      }
+      else if (result[first[upper]] == None && begin(first[upper]) == end(edge))
+      {
+        result[edge] = first[upper];
+        result[first[upper]] = edge;
+      }
     }
   }
-  result.closed = 2 * pairs == cornerCount;
-  std::vector<Index> fanAt(pointCount, None);
-  result.manifold = result.closed;
-  for (Index corner = 0; corner < cornerCount; ++corner)
+  return result;
+}
+
+/// How often triangles at one point form a fan around it, in a closed surface.
+Index fanCount(const std::vector<Index>& opposite)
+{
+  std::vector<char> met(opposite.size(), 0); // edges, as corners where they begin
+  Index result = 0;
+  for (Index start = 0; start < count(met); ++start)
   {
-    Index& fan = fanAt[pointAt(corner)];
-    fan = fan == None ? fans.find(corner) : fan;
-    result.manifold = result.manifold && fan == fans.find(corner);
+    result += !met[start];
+    for (Index corner = start; !met[corner];)
+    {
+      met[corner] = 1;
+      corner = opposite[corner % 3 == 0 ? corner + 2 : corner - 1];
+    }
   }
+  return result;
+}
+
+/// Fills closed and manifold. A manifold has one fan at each point.
+void checkSurface(const std::vector<Triangle>& triangles, Index pointCount, SolidMeasures& result,
+  const Execution& execution)
+{
+  const std::vector<Index> opposite = oppositeEdges(triangles, pointCount);
+  execution.poll();
+  result.closed = std::find(opposite.begin(), opposite.end(), None) == opposite.end();
+  std::vector<char> used(pointCount, 0);
+  for (const Triangle& t : triangles)
+  {
+    used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  }
+  result.manifold = result.closed && fanCount(opposite) == std::count(used.begin(), used.end(), 1);
+  execution.poll();
 }
 
 /// Fills volume and Betti numbers.
@@ -96,7 +130,7 @@ SolidMeasures solidMeasures(const std::vector<Point>& points,
   const std::vector<Triangle>& triangles, const Execution& execution)
 {
   SolidMeasures result{};
-  checkSurface(triangles, points.size(), result, execution);
+  checkSurface(triangles, count(points), result, execution);
   measureSolid(points, triangles, result);
   return result;
 }

@@ -22,66 +22,99 @@ struct CellFaces
   std::vector<Edge> balls; ///< inner, outer
 };
 
-/// The cells around the dual edge (inner, outer), counter-clockwise seen from the outer ball; empty
-/// where the edge is on the convex hull.
-std::vector<Index> cycleAround(const Tetrahedra& mesh, Index inner, Index outer, Index start)
+/// The bit of a cell's edge between corners number i and k.
+std::uint16_t edgeBit(int i, int k)
 {
-  const Tetrahedron& corners = mesh.cells[start];
-  const auto place = [](const auto& balls, Index ball) {
-    return static_cast<int>(std::find(balls.begin(), balls.end(), ball) - balls.begin());
-  };
-  // Of the facets with the edge, leave by the one from which the turn is counter-clockwise.
-  const Triangle seen = facet(corners, place(corners, inner)); // so seen from the inner ball
-  const Index leave = seen[(place(seen, outer) + 2) % 3];
-  return cellsAround(mesh, { inner, outer }, start, place(corners, leave));
+  return static_cast<std::uint16_t>(
+    1U << (1U << i | 1U << k)); // of six edges and ten other sets of corners
 }
 
-/// The bit of a cell's edge between two of its corners.
-unsigned edgeBit(const Tetrahedron& corners, Index a, Index b)
-{
-  unsigned ends = 0;
-  for (int i = 0; i < 4; ++i)
-  {
-    ends |= static_cast<unsigned>(corners[i] == a || corners[i] == b) << i;
-  }
-  return 1U << ends; // of six edges and ten other sets of corners
-}
-
-/// One face for each dual edge between an inner and an outer ball. An edge is met in each of the cells
+/// Finds one face for each dual edge between an inner and an outer ball. An edge is met in each of the cells
 /// around it, and known there by a bit.
-CellFaces cellFaces(const PowerDiagram& diagram, const Execution& execution)
+class FaceSearch
 {
-  CellFaces result;
-  const Tetrahedra& mesh = diagram.dual;
-  std::vector<std::uint16_t> done(mesh.cells.size(), 0);
-  for (Index c = 0; c < count(mesh.cells); ++c)
+public:
+  explicit FaceSearch(const PowerDiagram& diagram)
+    : inner(diagram.inner)
+    , done(diagram.dual.cells.size(), 0)
   {
-    execution.pollAt(c);
-    for (const auto& ends : cellEdges)
+    this->cells.reserve(diagram.dual.cells.size());
+    for (std::size_t c = 0; c < diagram.dual.cells.size(); ++c)
     {
-      Index a = mesh.cells[c][ends[0]], b = mesh.cells[c][ends[1]];
-      if (diagram.inner[a] == diagram.inner[b] || (done[c] & edgeBit(mesh.cells[c], a, b)) != 0)
-      {
-        continue;
-      }
-      if (!diagram.inner[a])
-      {
-        std::swap(a, b);
-      }
-      const std::vector<Index> cycle = cycleAround(mesh, a, b, c);
-      for (const Index cell : cycle)
-      {
-        done[cell] |= edgeBit(mesh.cells[cell], a, b);
-      }
-      if (!cycle.empty())
-      {
-        result.cycles.append(cycle);
-        result.balls.push_back({ a, b });
-      }
+      this->cells.push_back({ diagram.dual.cells[c], diagram.dual.neighbors[c] });
     }
   }
-  return result;
-}
+
+  CellFaces run(const Execution& execution)
+  {
+    for (Index c = 0; c < count(this->cells); ++c)
+    {
+      execution.pollAt(c);
+      const Tetrahedron& corners = this->cells[c].corners;
+      for (const auto& [i, k] : cellEdges)
+      {
+        if (this->inner[corners[i]] != this->inner[corners[k]] &&
+          (this->done[c] & edgeBit(i, k)) == 0)
+        {
+          this->inner[corners[i]] ? this->addFace(c, i, k) : this->addFace(c, k, i);
+        }
+      }
+    }
+    return std::move(this->faces);
+  }
+
+private:
+  /// The walks spend most of their time on waiting for memory, so all of a cell is at one place.
+  struct Cell
+  {
+    Tetrahedron corners, neighbors;
+
+    int place(Index corner) const
+    {
+      return (this->corners[1] == corner) + 2 * (this->corners[2] == corner) +
+        3 * (this->corners[3] == corner);
+    }
+  };
+
+  /// That of the dual edge between the inner corner i and the outer corner k of a cell, counter-clockwise seen
+  /// from the outer ball; none where the edge is on the convex hull.
+  void addFace(Index start, int i, int k)
+  {
+    const Edge edge{ this->cells[start].corners[i], this->cells[start].corners[k] };
+    // Of the facets with the edge, leave by the one from which the turn is counter-clockwise.
+    const Triangle seen = facet({ 0, 1, 2, 3 }, i); // so seen from the inner ball
+    int leave = seen[(std::find(seen.begin(), seen.end(), k) - seen.begin() + 2) % 3];
+    std::vector<Index>& cycles = this->faces.cycles.items;
+    for (Index cell = start;;)
+    {
+      const Cell& here = this->cells[cell];
+      this->done[cell] |= edgeBit(i, k);
+      cycles.push_back(cell);
+      const Index pivot = here.corners[6 - i - k - leave]; // next opposite to the facet to cross
+      cell = here.neighbors[leave];
+      if (cell == start)
+      {
+        break;
+      }
+      if (cell == None)
+      {
+        cycles.resize(this->faces.cycles.offsets.back());
+        return;
+      }
+      const Cell& next = this->cells[cell];
+      i = next.place(edge[0]);
+      k = next.place(edge[1]);
+      leave = next.place(pivot);
+    }
+    this->faces.cycles.close();
+    this->faces.balls.push_back(edge);
+  }
+
+  std::vector<Cell> cells;
+  const std::vector<char>& inner;
+  std::vector<std::uint16_t> done; ///< bits of the edges that were met, for each cell
+  CellFaces faces;
+};
 
 /// Sets of neighbouring power vertices that become one point of the crust.
 ///
@@ -93,7 +126,7 @@ CellFaces cellFaces(const PowerDiagram& diagram, const Execution& execution)
 /// topology, and contraction never changes it.
 ///
 /// Invariant: the surface is a closed 2-manifold with the topology of the diagram's.
-/// The steps take linear time on average each. `splitWherePinched` repeats, since a split set can
+/// The steps take linear time each. `splitWherePinched` repeats, since a split set can
 /// pinch its neighbours; each turn splits one set at least, and two or three turns are usual.
 class Contraction
 {
@@ -116,6 +149,9 @@ public:
   /// The vertices of each face, neighbours that become one named once. None where the face shrinks to an edge
   /// or a point. Vertices are numbered in the order in which they are met.
   const IndexLists& loops() const { return this->contracted; }
+
+  /// The vertices next to each vertex.
+  const IndexLists& neighbors() const { return this->next; }
 
   /// The number of the vertex of a tetrahedron, None where it is in no loop.
   Index numberOf(Index cell) { return this->number[this->vertexOf(cell)]; }
@@ -246,30 +282,49 @@ private:
       this->split[set] = 1;
     };
     this->contract();
-    EdgeTable sides(this->contracted.items.size());
-    std::vector<Index> loop;
+    this->findNeighbors();
+    std::vector<Index> last(this->vertices.size(), None); // vertex that had this neighbour
+    for (Index from = 0; from < this->next.size(); ++from)
+    {
+      for (const Index to : this->next[from])
+      {
+        if (last[to] == from)
+        {
+          splitSet(from);
+          splitSet(to);
+        }
+        last[to] = from;
+      }
+    }
+    last.assign(this->vertices.size(), None); // face that had this corner
     for (Index face = 0; face < this->contracted.size(); ++face)
     {
-      this->execution.pollAt(face);
-      loop.assign(this->contracted[face].begin(), this->contracted[face].end());
-      for (std::size_t k = 0; k < loop.size(); ++k)
+      for (const Index corner : this->contracted[face])
       {
-        if (!sides.insert(loop[k], loop[(k + 1) % loop.size()], face))
+        if (last[corner] == face)
         {
-          splitSet(loop[k]);
-          splitSet(loop[(k + 1) % loop.size()]);
+          splitSet(corner);
         }
-      }
-      std::sort(loop.begin(), loop.end());
-      for (std::size_t k = 1; k < loop.size(); ++k)
-      {
-        if (loop[k] == loop[k - 1])
-        {
-          splitSet(loop[k]);
-        }
+        last[corner] = face;
       }
     }
     return any;
+  }
+
+  /// From each side of a face.
+  void findNeighbors()
+  {
+    this->next = listsByKey(count(this->vertices), [this](const auto& add) {
+      for (Index face = 0; face < this->contracted.size(); ++face)
+      {
+        const IndexLists::View loop = this->contracted[face];
+        for (Index k = 0; k < loop.size(); ++k)
+        {
+          add(loop[k], loop[k + 1 < loop.size() ? k + 1 : 0]);
+        }
+      }
+    });
+    this->execution.poll();
   }
 
   const PowerDiagram& diagram;
@@ -277,16 +332,9 @@ private:
   const Execution& execution;
   DisjointSets sets;
   std::vector<char> split; ///< by set
-  IndexLists contracted;
+  IndexLists contracted, next;
   std::vector<Index> vertices; ///< of the loops
   std::vector<Index> number;   ///< of each vertex among them, or None
-};
-
-/// The contracted faces by their points.
-struct Polygons
-{
-  Lists<Index> corners;
-  std::vector<Edge> balls; ///< inner, outer
 };
 
 /// For each vertex of the contraction the tetrahedron whose place it takes: one whose power vertex is
@@ -310,58 +358,93 @@ std::vector<Index> placeOfVertex(
   return best;
 }
 
-/// Contracts the faces, and puts their vertices into the surface.
-Polygons polygons(const PowerDiagram& diagram, const CellFaces& faces, CrustSurface& surface,
-  const Execution& execution)
+/// Cuts the contracted faces into triangles.
+class Cutting
 {
+public:
+  Cutting(const Contraction& contraction, CrustSurface& crustSurface)
+    : loops(contraction.loops())
+    , neighbors(contraction.neighbors())
+    , surface(crustSurface)
+    , place(neighbors.size(), None)
+    , edges(neighbors.items.size() / 4)
+  {
+  }
+
+  void run(const CellFaces& faces, const Execution& execution)
+  {
+    std::vector<Index> polygon;
+    for (Index face = 0; face < this->loops.size(); ++face)
+    {
+      execution.pollAt(face);
+      polygon.assign(this->loops[face].begin(), this->loops[face].end());
+      this->cut(polygon);
+      this->surface.innerBall.resize(this->surface.triangles.size(), faces.balls[face][0]);
+      this->surface.outerBall.resize(this->surface.triangles.size(), faces.balls[face][1]);
+    }
+  }
+
+private:
+  void cut(const std::vector<Index>& polygon)
+  {
+    if (polygon.size() <= 3)
+    {
+      if (!polygon.empty())
+      {
+        this->surface.triangles.push_back({ polygon[0], polygon[1], polygon[2] });
+      }
+      return;
+    }
+    this->addSides(polygon);
+    const std::vector<Triangle> triangles = triangulate(polygon, this->surface.points, this->edges);
+    this->surface.triangles.insert(
+      this->surface.triangles.end(), triangles.begin(), triangles.end());
+  }
+
+  /// No diagonal may be the side of another polygon: adds those that could be one of this polygon.
+  void addSides(const std::vector<Index>& polygon)
+  {
+    const Index n = count(polygon);
+    for (Index k = 0; k < n; ++k)
+    {
+      this->place[polygon[k]] = k;
+    }
+    for (Index k = 0; k < n; ++k)
+    {
+      for (const Index other : this->neighbors[polygon[k]])
+      {
+        const Index steps = std::abs(this->place[other] - k); // around the polygon
+        if (this->place[other] != None && steps != 1 && steps != n - 1)
+        {
+          this->edges.insert(polygon[k], other);
+        }
+      }
+    }
+    for (const Index corner : polygon)
+    {
+      this->place[corner] = None;
+    }
+  }
+
+  const IndexLists& loops;
+  const IndexLists& neighbors;
+  CrustSurface& surface;
+  std::vector<Index> place; ///< of each vertex in the polygon, or None
+  EdgeSet edges;            ///< diagonals, and sides that may not become one
+};
+}
+
+CrustSurface crustSurface(const PowerDiagram& diagram, const Execution& execution)
+{
+  CrustSurface surface;
+  const CellFaces faces = FaceSearch(diagram).run(execution);
   Contraction contraction(diagram, faces, execution);
   for (const Index cell : placeOfVertex(diagram, faces, contraction))
   {
     surface.points.push_back(diagram.vertices[cell]);
     surface.sampleOfPoint.push_back(diagram.sampleOfVertex[cell]);
   }
-  Polygons result;
-  for (Index face = 0; face < contraction.loops().size(); ++face)
-  {
-    execution.pollAt(face);
-    const IndexLists::View corners = contraction.loops()[face];
-    if (corners.size() > 0)
-    {
-      result.corners.append(corners);
-      result.balls.push_back(faces.balls[face]);
-    }
-  }
-  return result;
-}
-}
-
-CrustSurface crustSurface(const PowerDiagram& diagram, const Execution& execution)
-{
-  CrustSurface surface;
-  const Polygons faces = polygons(diagram, cellFaces(diagram, execution), surface, execution);
-  // All sides first: no diagonal may be the side of another polygon.
-  EdgeSet edges(
-    faces.corners.items.size() / 2 + faces.corners.items.size() - 3 * faces.balls.size());
-  for (Index face = 0; face < faces.corners.size(); ++face)
-  {
-    const auto corners = faces.corners[face];
-    for (Index k = 0; k < corners.size(); ++k)
-    {
-      edges.insert(corners[k], corners[(k + 1) % corners.size()]);
-    }
-  }
-  std::vector<Index> polygon;
-  for (Index face = 0; face < faces.corners.size(); ++face)
-  {
-    execution.pollAt(face);
-    polygon.assign(faces.corners[face].begin(), faces.corners[face].end());
-    for (const Triangle& t : triangulate(polygon, surface.points, edges))
-    {
-      surface.triangles.push_back(t);
-      surface.innerBall.push_back(faces.balls[face][0]);
-      surface.outerBall.push_back(faces.balls[face][1]);
-    }
-  }
+  Cutting(contraction, surface).run(faces, execution);
   // Points that triangulation has added are no samples.
   surface.sampleOfPoint.resize(surface.points.size(), None);
   return surface;

@@ -14,7 +14,7 @@
 #include "Crust/Slivers.h"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 
 namespace medial
 {
@@ -58,29 +58,31 @@ Betti topologyOf(const PolarBalls& polarBalls, const std::vector<char>& keep)
 double largestClearance(const PowerDiagram& diagram, const BallTree& innerBalls,
   const CrustSurface& surface, const Execution& execution)
 {
-  std::vector<double> bound(surface.points.size(), 0);
+  std::vector<double> bound(surface.points.size(), std::numeric_limits<double>::infinity());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     const Ball& ball = diagram.balls[surface.innerBall[t]];
     for (const Index p : surface.triangles[t])
     {
-      const double distance = (surface.points[p] - ball.center).norm() - ball.radius;
-      const bool first = bound[p] == 0 || distance < bound[p];
-      bound[p] = surface.sampleOfPoint[p] != None ? 0 : first ? distance : bound[p];
+      bound[p] = surface.sampleOfPoint[p] != None
+        ? 0
+        : std::min(bound[p], (surface.points[p] - ball.center).norm() - ball.radius);
     }
   }
-  std::vector<Index> order(surface.points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return bound[a] > bound[b]; });
+  std::vector<Index> heap; // the largest bound first
+  for (Index p = 0; p < count(bound); ++p)
+  {
+    bound[p] > 0 ? heap.push_back(p) : void();
+  }
+  const auto isLess = [&bound](Index a, Index b) { return bound[a] < bound[b]; };
+  std::make_heap(heap.begin(), heap.end(), isLess);
   double largest = 0;
-  for (const Index p : order)
+  while (!heap.empty() && bound[heap.front()] > largest)
   {
     execution.report(0.9);
-    if (bound[p] <= largest)
-    {
-      break;
-    }
-    largest = std::max(largest, innerBalls.distance(surface.points[p], largest));
+    largest = std::max(largest, innerBalls.distance(surface.points[heap.front()], largest));
+    std::pop_heap(heap.begin(), heap.end(), isLess);
+    heap.pop_back();
   }
   return largest;
 }
