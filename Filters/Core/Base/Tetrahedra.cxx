@@ -49,7 +49,15 @@ void sortCells(std::vector<Tetrahedron>& cells)
   {
     std::sort(cell.begin(), cell.end());
   }
-  std::sort(cells.begin(), cells.end());
+  Lists<Tetrahedron> byLowest =
+    listsByKey<Tetrahedron>(highestCorner(cells) + 2, [&cells](const auto& add) {
+      for (const Tetrahedron& cell : cells)
+      {
+        add(cell[0] + 1, cell); // a corner may be None, which is -1
+      }
+    });
+  byLowest.sortEach();
+  cells = std::move(byLowest.items);
 }
 
 std::vector<Tetrahedron> renumbered(

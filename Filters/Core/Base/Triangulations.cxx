@@ -293,6 +293,19 @@ std::vector<Tetrahedron> RegularTriangulation::replacedBy(const Ball& ball) cons
   return result;
 }
 
+std::vector<Index> RegularTriangulation::numbersBefore() const
+{
+  std::vector<Index> result;
+  if (this->implementation->triangulation.dimension() == 3)
+  {
+    for (const auto cell : this->implementation->triangulation.finite_cell_handles())
+    {
+      result.push_back(cell->info().value);
+    }
+  }
+  return result;
+}
+
 Tetrahedra RegularTriangulation::tetrahedra(const Execution& execution) const
 {
   return arrays(this->implementation->triangulation, execution);

@@ -41,6 +41,10 @@ public:
   /// The vertex at infinity is None.
   std::vector<Tetrahedron> replacedBy(const Ball& ball) const;
 
+  /// For each cell that `tetrahedra` would give now, its number when it was called last; None for a cell that
+  /// is new since then.
+  std::vector<Index> numbersBefore() const;
+
   /// The triangulation of all balls inserted so far.
   Tetrahedra tetrahedra(const Execution& execution = {}) const;
 

@@ -13,11 +13,15 @@ struct ChangedRegion
 {
   std::vector<Index> balls;   ///< corners of its cells, with and without, ascending
   std::vector<Index> removed; ///< those of them that are missing in the second, ascending
+
+  // The cells that fill the region, corners ascending, in ascending order.
+  std::vector<Tetrahedron> with, without;
 };
 
 /// The regions in which two regular triangulations differ, by their lowest removed ball. Cells that are
 /// in one of the two only are joined across triangles. The rest of both is the same, so what happens
-/// in one region doesn't depend on the others. Takes O(n log n) time for n cells.
+/// in one region doesn't depend on the others. Takes linear time in
+/// the cells.
 /// @param with     cells of the triangulation of all balls
 /// @param without  of all but the removed ones
 /// @param removed  ascending

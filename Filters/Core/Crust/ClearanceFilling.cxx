@@ -139,8 +139,9 @@ public:
       changed = this->filling.inserted > before;
       if (changed)
       {
-        findVertices(
-          this->triangulation.tetrahedra(this->execution), this->diagram, this->execution);
+        const std::vector<Index> numbersBefore = this->triangulation.numbersBefore();
+        findVertices(this->triangulation.tetrahedra(this->execution), this->diagram,
+          this->execution, numbersBefore);
         ++this->filling.rounds;
       }
     }

@@ -28,12 +28,7 @@ Balls difference(const Balls& a, const Balls& b)
   return result;
 }
 
-/// The regular triangulation of some balls.
-struct Cells
-{
-  std::vector<Tetrahedron> cells;
-  Betti betti; ///< of the simplices with inner corners
-};
+using Cells = std::vector<Tetrahedron>; ///< as in ChangedRegion
 
 class Search
 {
@@ -41,11 +36,12 @@ public:
   Search(const LabelledBalls& labelledBalls, const Execution& ofSearch)
     : all(labelledBalls)
     , execution(ofSearch)
+    , number(labelledBalls.balls.size(), None)
   {
   }
 
-  std::vector<ContradictedRegion> regions(const std::vector<Tetrahedron>& with,
-    const std::vector<Tetrahedron>& without, const Balls& removed) const
+  std::vector<ContradictedRegion> regions(
+    const Cells& with, const Cells& without, const Balls& removed)
   {
     std::vector<ContradictedRegion> result;
     for (ChangedRegion& region : changedRegions(with, without, removed))
@@ -62,57 +58,96 @@ public:
 
 private:
   /// None where the topology doesn't change.
-  Balls neededIn(const ChangedRegion& region) const
+  Balls neededIn(const ChangedRegion& region)
   {
-    const Balls kept = difference(region.balls, region.removed);
-    const Cells with = this->cellsOf(region.balls), without = this->cellsOf(kept);
-    if (with.betti == without.betti || region.removed.size() == 1)
+    const Betti wanted = this->bettiOf(region.with);
+    if (this->bettiOf(region.without) == wanted)
     {
-      return with.betti == without.betti ? Balls{} : region.removed;
+      return {};
+    }
+    if (region.removed.size() == 1)
+    {
+      return region.removed;
     }
     const auto [first, second] = this->halves(region.removed);
-    const Cells withFirst = this->cellsOf(unionOf(kept, first));
-    if (withFirst.betti == with.betti)
+    const Cells withFirst = this->cellsWith(first, region);
+    if (this->bettiOf(withFirst) == wanted)
     {
-      return this->neededOf(withFirst, without, first);
+      return this->neededOf(withFirst, region.without, first);
     }
-    const Cells withSecond = this->cellsOf(unionOf(kept, second));
-    if (withSecond.betti == with.betti)
+    const Cells withSecond = this->cellsWith(second, region);
+    if (this->bettiOf(withSecond) == wanted)
     {
-      return this->neededOf(withSecond, without, second);
+      return this->neededOf(withSecond, region.without, second);
     }
-    const Balls ofSecond = this->neededOf(with, withFirst, second);
-    const Balls keptNow = unionOf(kept, ofSecond);
-    const Cells withNeeded = this->cellsOf(keptNow);
-    return withNeeded.betti == with.betti
+    const Balls ofSecond = this->neededOf(region.with, withFirst, second);
+    const Cells withNeeded = this->cellsWith(ofSecond, region);
+    return this->bettiOf(withNeeded) == wanted
       ? ofSecond
-      : unionOf(
-          ofSecond, this->neededOf(this->cellsOf(unionOf(keptNow, first)), withNeeded, first));
+      : unionOf(ofSecond,
+          this->neededOf(this->cellsWith(unionOf(ofSecond, first), region), withNeeded, first));
   }
 
   /// Of balls that change the topology; all where no region alone does.
-  Balls neededOf(const Cells& with, const Cells& without, const Balls& removed) const
+  Balls neededOf(const Cells& with, const Cells& without, const Balls& removed)
   {
     Balls result;
-    for (const ContradictedRegion& found : this->regions(with.cells, without.cells, removed))
+    for (const ContradictedRegion& found : this->regions(with, without, removed))
     {
       result = unionOf(result, found.needed);
     }
     return result.empty() ? removed : result;
   }
 
-  Cells cellsOf(const Balls& chosen) const
+  /// The cells that fill a region where some of its removed balls are back. The others around it have been there
+  /// without those balls.
+  Cells cellsWith(const Balls& back, const ChangedRegion& region) const
   {
-    LabelledBalls these;
+    const Balls chosen = unionOf(difference(region.balls, region.removed), back);
+    std::vector<Ball> these;
+    these.reserve(chosen.size());
     for (const Index ball : chosen)
     {
-      these.balls.push_back(this->all.balls[ball]);
-      these.inner.push_back(this->all.inner[ball]);
+      these.push_back(this->all.balls[ball]);
     }
     RegularTriangulation triangulation;
-    triangulation.insert(these.balls);
-    const Tetrahedra mesh = triangulation.tetrahedra();
-    return { renumbered(mesh.cells, chosen), markedBetti(mesh, these.inner) };
+    triangulation.insert(these, this->execution);
+    Cells result = renumbered(triangulation.tetrahedra().cells, chosen);
+    sortCells(result);
+    const auto isAround = [&](const Tetrahedron& cell) {
+      return std::none_of(cell.begin(), cell.end(),
+               [&](Index ball) { return std::binary_search(back.begin(), back.end(), ball); }) &&
+        !std::binary_search(region.without.begin(), region.without.end(), cell);
+    };
+    result.erase(std::remove_if(result.begin(), result.end(), isAround), result.end());
+    return result;
+  }
+
+  /// Of the simplices with inner corners in some cells, as if all space around was in one piece.
+  Betti bettiOf(Cells cells)
+  {
+    std::vector<Index> corners;
+    std::vector<char> inner;
+    for (Tetrahedron& cell : cells)
+    {
+      for (Index& ball : cell)
+      {
+        Index& known = this->number[ball];
+        if (known == None)
+        {
+          known = count(corners);
+          corners.push_back(ball);
+          inner.push_back(this->all.inner[ball]);
+        }
+        ball = known;
+      }
+    }
+    for (const Index ball : corners)
+    {
+      this->number[ball] = None;
+    }
+    this->execution.report(0);
+    return markedBetti(withNeighbors(std::move(cells)), inner);
   }
 
   /// On two sides of a plane across the direction in which the balls' centres spread most.
@@ -138,6 +173,7 @@ private:
 
   const LabelledBalls& all;
   const Execution& execution;
+  std::vector<Index> number; ///< scratch: of each ball in some cells, or None
 };
 }
 

@@ -28,10 +28,10 @@ struct LabelledBalls
 /// The regions whose topology changes without the removed balls, each with a few of the removed balls
 /// that keep it.
 ///
-/// A region is looked at alone, in the regular triangulation of its own balls: that has all cells of the
-/// region, and what it has around the region is the same with and without the removed balls. So Betti
-/// numbers that differ tell of the region. There the removed balls are halved in space. If one half keeps
-/// the topology, the search goes on in it, and only in the regions that this half changes: with n
+/// A region is looked at alone, by the cells that fill it with and without the removed balls: what is around
+/// it is the same. So Betti numbers that differ tell of the region. There the removed balls are halved in space. If one half keeps
+/// the topology, the search goes on in it, and only in the regions that this half changes. The regular triangulation of a region's
+/// own balls has all cells that fill it. With n
 /// removed balls and one needed, O(n log n) time. Else both halves have needed balls.
 /// @param with, without, removed  as for changedRegions, by the numbers of `balls`
 std::vector<ContradictedRegion> contradictedRegions(const LabelledBalls& balls,

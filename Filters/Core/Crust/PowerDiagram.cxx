@@ -16,8 +16,12 @@ bool isMixed(const PowerDiagram& diagram, const Tetrahedron& cell)
   return inner > 0 && inner < 4;
 }
 
-void findVertices(Tetrahedra dual, PowerDiagram& diagram, const Execution& execution)
+void findVertices(Tetrahedra dual, PowerDiagram& diagram, const Execution& execution,
+  const std::vector<Index>& numbersBefore)
 {
+  const std::vector<Tetrahedron> cellsBefore = std::move(diagram.dual.cells);
+  const std::vector<Index> samplesBefore = std::move(diagram.sampleOfVertex);
+  const std::vector<Point> verticesBefore = std::move(diagram.vertices);
   diagram.dual = std::move(dual);
   const Index cellCount = count(diagram.dual.cells);
   diagram.sampleOfVertex.assign(cellCount, None);
@@ -26,6 +30,13 @@ void findVertices(Tetrahedra dual, PowerDiagram& diagram, const Execution& execu
     const Tetrahedron& cell = diagram.dual.cells[c];
     if (!isMixed(diagram, cell))
     {
+      return;
+    }
+    const Index before = numbersBefore.empty() ? None : numbersBefore[c];
+    if (before != None && before < count(cellsBefore) && cellsBefore[before] == cell)
+    {
+      diagram.sampleOfVertex[c] = samplesBefore[before];
+      diagram.vertices[c] = verticesBefore[before];
       return;
     }
     // The spheres of the four balls pass through a sample that they share, so it has power zero to

@@ -37,8 +37,11 @@ bool isMixed(const PowerDiagram& diagram, const Tetrahedron& cell);
 
 /// Fills dual, sampleOfVertex and vertices, in linear time. If the four balls of a mixed tetrahedron
 /// share a sample, that sample is the power vertex; else it is constructed by `powerCenter`.
+/// @param numbersBefore  for each tetrahedron its number in the diagram's dual until now, where its vertex is known;
+///                       a number that is another one's, or None, does no harm. Empty: none is known
 /// @throw InvalidInput  a mixed tetrahedron without a shared sample is flat
-void findVertices(Tetrahedra dual, PowerDiagram& diagram, const Execution& execution = {});
+void findVertices(Tetrahedra dual, PowerDiagram& diagram, const Execution& execution = {},
+  const std::vector<Index>& numbersBefore = {});
 
 /// The inner balls, to ask for the distance of a point to their union.
 BallTree treeOfInnerBalls(const PowerDiagram& diagram);
