@@ -14,30 +14,63 @@ namespace medial
 {
 namespace
 {
-/// Number of pieces of the open rest of space, without the (closed) subcomplex: cells, joined across
-/// triangles that are not in it. The last set is the space around all cells.
-Index openRestPieces(const Tetrahedra& mesh, const std::vector<char>& marked)
+/// Bit i: corner i of the cell is marked.
+unsigned markedCorners(const std::vector<char>& marked, const Tetrahedron& cell)
 {
+  unsigned result = 0;
+  for (unsigned i = 0; i < 4; ++i)
+  {
+    result |= (marked[cell[i]] ? 1U : 0U) << i;
+  }
+  return result;
+}
+
+/// Is the facet opposite to corner i marked?
+bool isFacetMarked(unsigned corners, int i)
+{
+  return (corners | 1U << i) == 15;
+}
+
+/// What is counted of cells and their facets.
+struct CellCounts
+{
+  Index tetrahedra = 0, triangles = 0; ///< marked ones
+  Index restPieces = 0; ///< of the open rest of space, without the (closed) subcomplex
+};
+
+/// Joins cells across triangles that are not marked. The last set is the space around all cells.
+CellCounts cellCounts(const Tetrahedra& mesh, const std::vector<char>& marked)
+{
+  CellCounts result;
   const Index around = count(mesh.cells);
   DisjointSets sets(around + 1);
-  std::vector<char> outside(around);
   for (Index c = 0; c < around; ++c)
   {
-    outside[c] = !allMarked(marked, mesh.cells[c]);
+    const unsigned corners = markedCorners(marked, mesh.cells[c]);
+    result.tetrahedra += corners == 15;
     for (int i = 0; i < 4; ++i)
     {
-      if (outside[c] && !allMarked(marked, facet(mesh.cells[c], i)))
+      const Index n = mesh.neighbors[c][i];
+      if (n != None && n < c)
       {
-        sets.unite(c, mesh.neighbors[c][i] == None ? around : mesh.neighbors[c][i]);
+        continue; // this triangle was met there
+      }
+      if (isFacetMarked(corners, i))
+      {
+        ++result.triangles;
+      }
+      else
+      {
+        sets.unite(c, n == None ? around : n);
       }
     }
   }
-  Index pieces = 1;
-  for (Index c = 0; c < around; ++c)
+  for (Index c = 0; c <= around; ++c)
   {
-    pieces += outside[c] && sets.find(c) == c && sets.find(around) != c;
+    result.restPieces += sets.find(c) == c;
   }
-  return pieces;
+  result.restPieces -= result.tetrahedra; // each is alone: all of its triangles are marked
+  return result;
 }
 
 /// The edges with marked corners.
@@ -86,16 +119,14 @@ Betti markedBetti(
 {
   DisjointSets pieces(count(marked));
   std::vector<char> used(marked.size(), 0);
-  Index tetrahedra = 0, triangles = 0, markedEdges = 0, vertices = 0, b0 = 0;
+  Index markedEdges = 0, vertices = 0, b0 = 0;
   for (const Tetrahedron& cell : mesh.cells)
   {
-    tetrahedra += allMarked(marked, cell);
     for (const Index v : cell)
     {
       used[v] = marked[v];
     }
   }
-  forMarkedTriangles(mesh, marked, [&](Index, int) { ++triangles; });
   for (const Edge& edge : edges)
   {
     if (allMarked(marked, edge))
@@ -109,8 +140,9 @@ Betti markedBetti(
     vertices += used[v];
     b0 += used[v] && pieces.find(v) == v;
   }
-  const Index b2 = openRestPieces(mesh, marked) - 1;
-  return { b0, b0 + b2 - (vertices - markedEdges + triangles - tetrahedra), b2 };
+  const CellCounts cells = cellCounts(mesh, marked);
+  const Index b2 = cells.restPieces - 1;
+  return { b0, b0 + b2 - (vertices - markedEdges + cells.triangles - cells.tetrahedra), b2 };
 }
 
 Betti markedBetti(const Tetrahedra& mesh, const std::vector<char>& marked)

@@ -220,11 +220,22 @@ TEST(ChangedRegions, ChangeEachAlone)
     const std::set<Tetrahedron> with = triangulated.without({});
     const std::set<Tetrahedron> without = triangulated.without(removed);
     std::vector<Index> seen;
+    std::size_t changed = 0;
     for (const ChangedRegion& region :
       medial::changedRegions(listOf(with), listOf(without), removed))
     {
       seen.insert(seen.end(), region.removed.begin(), region.removed.end());
       // With the region's balls put back, it is as with all, and all else as without.
+      // The cells that fill it are as they should be: those of `with` are gone, those of `without` new.
+      for (const Tetrahedron& cell : region.with)
+      {
+        EXPECT_TRUE(with.count(cell) == 1 && without.count(cell) == 0);
+      }
+      for (const Tetrahedron& cell : region.without)
+      {
+        EXPECT_TRUE(with.count(cell) == 0 && without.count(cell) == 1);
+      }
+      changed += region.with.size() + region.without.size();
       std::vector<Index> others;
       std::set_difference(removed.begin(), removed.end(), region.removed.begin(),
         region.removed.end(), std::back_inserter(others));
@@ -239,5 +250,9 @@ TEST(ChangedRegions, ChangeEachAlone)
     }
     std::sort(seen.begin(), seen.end());
     EXPECT_EQ(seen, removed) << "each removed ball is in one region";
+    std::vector<Tetrahedron> difference;
+    std::set_symmetric_difference(
+      with.begin(), with.end(), without.begin(), without.end(), std::back_inserter(difference));
+    EXPECT_EQ(changed, difference.size()) << "each changed cell is in one region";
   }
 }

@@ -75,6 +75,28 @@ TEST(ReplacedCells, AreThoseThatAreGone)
   }
 }
 
+TEST(NumbersBefore, AreThoseOfCellsThatStay)
+{
+  const Scene scene(3);
+  for (const Point& center : shapes::cloud(5, 9))
+  {
+    const std::vector<Tetrahedron> before = scene.triangulation.tetrahedra().cells;
+    const RegularTriangulation then = scene.with({ center, 0.2 });
+    const std::vector<Index> numbers = then.numbersBefore();
+    const std::vector<Tetrahedron> after = then.tetrahedra().cells;
+    ASSERT_EQ(numbers.size(), after.size());
+    for (std::size_t c = 0; c < after.size(); ++c)
+    {
+      EXPECT_EQ(numbers[c] == medial::None,
+        std::find(before.begin(), before.end(), after[c]) == before.end());
+      if (numbers[c] != medial::None)
+      {
+        EXPECT_EQ(before[numbers[c]], after[c]);
+      }
+    }
+  }
+}
+
 TEST(ShrinkingShape, KeepsItsTopologyWhereItCollapses)
 {
   int collapsing = 0, others = 0, changed = 0;
