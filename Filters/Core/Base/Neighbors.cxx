@@ -1,105 +1,161 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Neighbors.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Fuzzy_sphere.h>
-#include <CGAL/Orthogonal_k_neighbor_search.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/property_map.h>
-
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
+// Cells are halved along their longest side (the sliding midpoint rule: where all points are on one side of the
+// middle, the cut moves to the nearest of them). So cells don't become long and thin, as those of medians do. Points
+// that are equally far from a place are met in an order that depends on the points alone.
 namespace medial
 {
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Numbered = std::pair<Kernel::Point_3, Index>;
-using Traits = CGAL::Search_traits_adapter<Numbered, CGAL::First_of_pair_property_map<Numbered>,
-  CGAL::Search_traits_3<Kernel>>;
-using Search = CGAL::Orthogonal_k_neighbor_search<Traits>;
+constexpr Index leafSize = 10; ///< points at most
 
-Kernel::Point_3 toKernel(const Point& p)
+int longestSide(const Eigen::AlignedBox3d& box)
 {
-  return { p.x(), p.y(), p.z() };
+  const Point sides = box.sizes();
+  const int larger = sides[1] > sides[0] ? 1 : 0;
+  return sides[2] > sides[larger] ? 2 : larger;
 }
 }
 
-struct Neighbors::Implementation
+Neighbors::Neighbors(const std::vector<Point>& thePoints)
+  : points(thePoints)
 {
-  const std::vector<Point>& points;
-  Search::Tree tree;
-};
-
-Neighbors::Neighbors(const std::vector<Point>& points)
-  : implementation(new Implementation{ points, {} })
-{
-  for (Index i = 0; i < count(points); ++i)
+  Eigen::AlignedBox3d box;
+  this->sorted.reserve(this->points.size());
+  for (const Point& point : this->points)
   {
-    this->implementation->tree.insert({ toKernel(points[i]), i });
+    this->sorted.push_back({ point, count(this->sorted) });
+    box.extend(point);
   }
-  if (!points.empty()) // CGAL has no empty trees
+  if (!this->points.empty())
   {
-    this->implementation->tree.build(); // else the first search would build it, on each thread
+    this->nodes.reserve(this->points.size() / 2);
+    this->build(0, count(this->points), box);
   }
 }
 
-Neighbors::~Neighbors() = default;
+void Neighbors::build(Index begin, Index end, Eigen::AlignedBox3d cell)
+{
+  const Index self = count(this->nodes);
+  Node node{ {}, begin, end, None, 0 };
+  for (Index i = begin; i < end; ++i)
+  {
+    node.box.extend(this->sorted[i].place);
+  }
+  this->nodes.push_back(node);
+  if (end - begin <= leafSize || node.box.min() == node.box.max())
+  {
+    return;
+  }
+  double cut = 0;
+  int axis = 0;
+  const Index middle = this->divide(node, cell, cut, axis);
+  this->nodes[self].axis = axis;
+  Eigen::AlignedBox3d lower = cell;
+  lower.max()[axis] = cell.min()[axis] = cut;
+  this->build(begin, middle, lower);
+  this->nodes[self].upper = count(this->nodes);
+  this->build(middle, end, cell);
+}
+
+/// Sorts the points of a node, those below a cut first. @return  the first of the others
+Index Neighbors::divide(const Node& node, const Eigen::AlignedBox3d& cell, double& cut, int& axis)
+{
+  axis = longestSide(cell);
+  if (node.box.min()[axis] == node.box.max()[axis])
+  {
+    axis = longestSide(node.box);
+    cut = (node.box.max()[axis] + node.box.min()[axis]) / 2;
+  }
+  else
+  {
+    cut = (cell.max()[axis] + cell.min()[axis]) / 2;
+  }
+  cut = std::clamp(cut, node.box.min()[axis], node.box.max()[axis]);
+  const auto begin = this->sorted.begin() + node.begin, end = this->sorted.begin() + node.end;
+  const auto isLess = [axis](const Numbered& a, const Numbered& b) {
+    return a.place[axis] < b.place[axis];
+  };
+  auto middle = std::partition(begin, end, [&](const Numbered& p) { return p.place[axis] < cut; });
+  if (middle == begin)
+  {
+    std::iter_swap(std::min_element(begin, end, isLess), middle);
+    cut = middle->place[axis];
+    ++middle;
+  }
+  return static_cast<Index>(middle - this->sorted.begin());
+}
 
 std::vector<Index> Neighbors::nearest(const Point& place, Index howMany) const
 {
-  if (this->implementation->points.empty())
+  if (this->nodes.empty() || howMany < 1)
   {
     return {};
   }
-  const Search search(this->implementation->tree, toKernel(place), static_cast<unsigned>(howMany));
-  std::vector<std::pair<double, Index>> found;
-  for (const auto& [numbered, squaredDistance] : search)
-  {
-    found.emplace_back(squaredDistance, numbered.second);
-  }
-  std::sort(found.begin(), found.end()); // the lowest number first among equals
+  using Entry = std::pair<double, Index>;
+  std::vector<Entry> near(
+    howMany, Entry(std::numeric_limits<double>::infinity(), None)); // in order
+  Entry* const last = &near.back();
+  this->search(
+    0, place, [last](double squared) { return squared < last->first; },
+    [&near, last](double squared, Index point) {
+      const Entry added(squared, point);
+      Entry* at = last;
+      for (; at != near.data() && added < *(at - 1); --at)
+      {
+        *at = *(at - 1);
+      }
+      *at = added;
+    });
   std::vector<Index> result;
-  result.reserve(found.size());
-  for (const auto& entry : found)
+  result.reserve(near.size());
+  for (const Entry& entry : near)
   {
-    result.push_back(entry.second);
+    if (entry.second != None)
+    {
+      result.push_back(entry.second);
+    }
   }
   return result;
 }
 
 std::vector<Index> Neighbors::nearest(Index point, Index howMany) const
 {
-  std::vector<Index> result = this->nearest(this->implementation->points[point], howMany + 1);
+  std::vector<Index> result = this->nearest(this->points[point], howMany + 1);
   const auto self = std::find(result.begin(), result.end(), point);
   result.erase(self == result.end() ? result.end() - 1 : self);
   return result;
 }
 
+Index Neighbors::nearestOne(const Point& place, double nearerThan) const
+{
+  Index result = None;
+  double least = nearerThan * nearerThan;
+  if (!this->nodes.empty())
+  {
+    this->search(
+      0, place, [&least](double squared) { return squared < least; },
+      [&](double squared, Index point) {
+        least = squared;
+        result = point;
+      });
+  }
+  return result;
+}
+
 std::vector<Index> Neighbors::within(Index point, double distance) const
 {
-  return this->within(this->implementation->points[point], distance);
+  return this->within(this->points[point], distance);
 }
 
 std::vector<Index> Neighbors::within(const Point& place, double distance) const
 {
-  if (this->implementation->points.empty())
-  {
-    return {};
-  }
-  const Numbered center{ toKernel(place), None };
-  std::vector<Numbered> found;
-  this->implementation->tree.search(
-    std::back_inserter(found), CGAL::Fuzzy_sphere<Traits>(center, distance));
   std::vector<Index> result;
-  result.reserve(found.size());
-  for (const Numbered& near : found)
-  {
-    result.push_back(near.second);
-  }
+  this->forEachWithin(place, distance, [&](Index point) { result.push_back(point); });
   return result;
 }
 

@@ -36,10 +36,35 @@ TEST(Neighbors, AreTheNearestPointsInOrder)
   }
 }
 
+TEST(Neighbors, ContainTheNearestOneIfItIsNearEnough)
+{
+  const std::vector<Point> points = shapes::cloud(300, 4);
+  const medial::Neighbors neighbors(points);
+  for (Index p = 1; p < medial::count(points); ++p)
+  {
+    const Point place = (points[p] + points[p - 1]) / 2;
+    const Index nearest = neighbors.nearest(place, 1).front();
+    const double distance = (points[nearest] - place).norm();
+    ASSERT_EQ(neighbors.nearestOne(place), nearest);
+    ASSERT_EQ(neighbors.nearestOne(place, distance * (1 + 1e-9)), nearest);
+    ASSERT_EQ(neighbors.nearestOne(place, distance * (1 - 1e-9)), medial::None);
+  }
+}
+
+TEST(Neighbors, AreFoundAmongManyAtTheSamePlace)
+{
+  std::vector<Point> points(100000, Point(1, 2, 3));
+  points.emplace_back(1, 2, 4);
+  const medial::Neighbors neighbors(points);
+  EXPECT_EQ(neighbors.within(Point(1, 2, 3), 0).size(), 100000u);
+  EXPECT_EQ(neighbors.nearestOne(Point(1, 2, 5)), 100000);
+}
+
 TEST(Neighbors, AreNoneOfNoPoints)
 {
   const std::vector<Point> points;
   const medial::Neighbors neighbors(points);
+  EXPECT_EQ(neighbors.nearestOne(Point(0, 0, 0)), medial::None);
   EXPECT_TRUE(neighbors.nearest(Point(0, 0, 0), 3).empty());
   EXPECT_TRUE(neighbors.within(Point(0, 0, 0), 1).empty());
 }
