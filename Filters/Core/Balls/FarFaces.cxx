@@ -2,6 +2,7 @@
 #include "Balls/FarFaces.h"
 
 #include "Base/Frame.h"
+#include "Base/Lists.h"
 #include "Base/Neighbors.h"
 #include "Base/Predicates.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -28,10 +30,11 @@ bool isOdd(const PolarBalls& balls, Index a, Index b)
     std::abs(intersectionDepth(balls.balls[a], balls.balls[b]) + 1) > most;
 }
 
-std::vector<EdgeCell> oddEdges(const PolarBalls& balls)
+/// All of them, those of an edge in one list.
+Lists<EdgeCell> oddEdges(const PolarBalls& balls)
 {
-  std::vector<EdgeCell> result;
   const std::vector<Tetrahedron>& cells = balls.triangulation.cells;
+  std::vector<EdgeCell> odd;
   for (Index c = 0; c < count(cells); ++c)
   {
     for (const Index a : cells[c])
@@ -40,12 +43,32 @@ std::vector<EdgeCell> oddEdges(const PolarBalls& balls)
       {
         if (isOdd(balls, a, b))
         {
-          result.push_back({ { a, b }, c });
+          odd.push_back({ { a, b }, c });
         }
       }
     }
   }
-  std::sort(result.begin(), result.end());
+  Lists<EdgeCell> ofBall = listsByKey<EdgeCell>(count(balls.balls), [&odd](const auto& add) {
+    for (const EdgeCell& each : odd)
+    {
+      add(each.first[0], each);
+    }
+  });
+  ofBall.sortEach();
+  Lists<EdgeCell> result;
+  result.items.reserve(odd.size());
+  for (const EdgeCell& each : ofBall.items)
+  {
+    if (!result.items.empty() && result.items.back().first != each.first)
+    {
+      result.close();
+    }
+    result.items.push_back(each);
+  }
+  if (!result.items.empty())
+  {
+    result.close();
+  }
   return result;
 }
 
@@ -68,14 +91,17 @@ public:
   }
 
   /// The farthest of some places on the face between two balls, if it is too far.
-  std::optional<FarFace> farthest(const Edge& edge, const std::vector<Index>& cells) const
+  /// @param cells  at the edge between the balls
+  std::optional<FarFace> farthest(const Lists<EdgeCell>::View& cells) const
   {
+    const Edge& edge = cells[0].first;
     std::vector<Point> corners;
+    corners.reserve(cells.size());
     Point middle = Point::Zero();
-    for (const Index c : cells)
+    for (const auto& [same, c] : cells)
     {
       corners.push_back(this->vertex(this->balls.triangulation.cells[c]));
-      middle += corners.back() / count(cells);
+      middle += corners.back() / cells.size();
     }
     const std::vector<Index> around = this->samplesOf(edge);
     const Index nearest = *std::min_element(around.begin(), around.end(), [&](Index a, Index b) {
@@ -111,19 +137,23 @@ private:
 
   /// Places all over the face between two balls, but for its middle.
   std::vector<Point> placesOf(
-    const Edge& edge, std::vector<Point> corners, const Point& middle) const
+    const Edge& edge, const std::vector<Point>& corners, const Point& middle) const
   {
     const Point across = this->balls.balls[edge[1]].center - this->balls.balls[edge[0]].center;
     const Point u = across.unitOrthogonal(), v = across.cross(u).normalized();
-    const auto angle = [&](const Point& p) {
-      return std::atan2((p - middle).dot(v), (p - middle).dot(u));
-    };
-    std::sort(corners.begin(), corners.end(),
-      [&](const Point& a, const Point& b) { return angle(a) < angle(b); });
-    std::vector<Point> result;
-    for (std::size_t i = 0; i < corners.size(); ++i)
+    std::vector<std::pair<double, Point>> around; // by angle
+    around.reserve(corners.size());
+    for (const Point& p : corners)
     {
-      const Point &corner = corners[i], &next = corners[(i + 1) % corners.size()];
+      around.emplace_back(std::atan2((p - middle).dot(v), (p - middle).dot(u)), p);
+    }
+    std::sort(
+      around.begin(), around.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Point> result;
+    result.reserve(4 * around.size());
+    for (std::size_t i = 0; i < around.size(); ++i)
+    {
+      const Point &corner = around[i].second, &next = around[(i + 1) % around.size()].second;
       result.push_back(corner);
       result.emplace_back((corner + 2 * middle) / 3);
       result.emplace_back((2 * corner + middle) / 3);
@@ -148,23 +178,43 @@ private:
     return (this->balls.samples[sample] - place).squaredNorm();
   }
 
-  bool isNear(const Point& place, const std::vector<Index>& around, double enough) const
+  /// How far a place is from the samples around, or from their triangles, if that is less; any distance below `enough`
+  /// will do.
+  double distanceFrom(const std::vector<Index>& around, const Point& place, double enough) const
   {
-    return std::any_of(around.begin(), around.end(),
-             [&](Index s) { return this->squaredDistance(place, s) < enough * enough; }) ||
-      std::any_of(around.begin(), around.end(),
-        [&](Index s) { return this->solid.distance(place, this->samples[s].triangle) < enough; });
+    const auto isAt = [&](Index s) { return this->squaredDistance(place, s) < enough * enough; };
+    if (std::any_of(around.begin(), around.end(), isAt))
+    {
+      return 0;
+    }
+    double result = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < around.size() && result >= enough; ++i)
+    {
+      result = std::min(result, this->solid.distance(place, this->samples[around[i]].triangle));
+    }
+    return result;
   }
 
   /// @param enough  nearer is near enough by the samples around
   std::optional<FarFace> farPlace(
     const Point& place, const std::vector<Index>& around, double enough) const
   {
-    if (this->isNear(place, around, enough))
+    const double atMost = this->distanceFrom(around, place, enough);
+    if (atMost < enough)
     {
       return {};
     }
-    const double here = this->spacings[this->neighbors.nearest(place, 1).front()];
+    const Index nearest = this->neighbors.nearestOne(place);
+    if (nearest == None) // the centre of a flat cell: not a number
+    {
+      return {};
+    }
+    const double here = this->spacings[nearest];
+    constexpr double rounding = 1e-9;
+    if (atMost < (1 - rounding) * this->most * here)
+    {
+      return {};
+    }
     const double distance = (this->solid.nearest(place).point - place).norm() / here;
     return distance > this->most && !(this->isLeftOut && this->isLeftOut(place, here))
       ? FarFace{ place, distance, here }
@@ -185,20 +235,10 @@ private:
 std::vector<FarFace> farFaces(const PolarBalls& balls, const std::vector<SurfacePoint>& samples,
   const SurfaceTree& solid, double most, const PlaceTest& isLeftOut, const Execution& execution)
 {
-  const std::vector<EdgeCell> all = oddEdges(balls);
-  std::vector<std::pair<Edge, std::vector<Index>>> faces;
-  for (const auto& [edge, cell] : all)
-  {
-    if (faces.empty() || faces.back().first != edge)
-    {
-      faces.push_back({ edge, {} });
-    }
-    faces.back().second.push_back(cell);
-  }
+  const Lists<EdgeCell> faces = oddEdges(balls);
   const Distances distances(balls, samples, solid, most, isLeftOut, execution);
   std::vector<std::optional<FarFace>> far(faces.size());
-  execution.forEach(
-    count(faces), [&](Index f) { far[f] = distances.farthest(faces[f].first, faces[f].second); });
+  execution.forEach(faces.size(), [&](Index f) { far[f] = distances.farthest(faces[f]); });
   std::vector<FarFace> result;
   for (const std::optional<FarFace>& each : far)
   {

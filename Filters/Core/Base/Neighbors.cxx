@@ -101,7 +101,8 @@ std::vector<Index> Neighbors::nearest(const Point& place, Index howMany) const
     howMany, Entry(std::numeric_limits<double>::infinity(), None)); // in order
   Entry* const last = &near.back();
   this->search(
-    0, place, [last](double squared) { return squared < last->first; },
+    0, place,
+    [last](double squared) { return !(squared >= last->first); }, // NaN are somewhere, too
     [&near, last](double squared, Index point) {
       const Entry added(squared, point);
       Entry* at = last;
