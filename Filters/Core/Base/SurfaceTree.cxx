@@ -9,7 +9,6 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace medial
@@ -20,6 +19,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Segment = Kernel::Segment_3;
 using Inside = CGAL::Side_of_triangle_mesh<Mesh, Kernel, CGAL::Default, Tree>;
 
 Kernel::Point_3 toKernel(const Point& p)
@@ -60,6 +60,81 @@ std::vector<Mesh::Face_index> facesWithArea(
   }
   return result;
 }
+
+/// The triangle that a way meets first, for a traversal of the tree. Most boxes and triangles are not even next to
+/// the box of a short way; that is told at less cost than whether the way meets them.
+class FirstMet
+{
+public:
+  FirstMet(const Mesh& theMesh, const Tree& tree, const Segment& theWay, Index theSkipped)
+    : mesh(theMesh)
+    , traits(tree.traits())
+    , way(theWay)
+    , around(theWay.bbox())
+    , skipped(theSkipped)
+  {
+  }
+
+  // What CGAL's traversal calls.
+  static bool go_further() { return true; }
+  template <typename Node>
+  bool do_intersect(const Segment&, const Node& node) const
+  {
+    return CGAL::do_overlap(this->around, node.bbox()) &&
+      this->traits.do_intersect_object()(this->way, node.bbox());
+  }
+  void intersection(const Segment&, const Primitive& primitive)
+  {
+    const auto triangle = static_cast<Index>(primitive.id().idx());
+    if (triangle == this->skipped || !this->isNextTo(triangle))
+    {
+      return;
+    }
+    const auto met = this->traits.intersection_object()(this->way, primitive);
+    if (!met)
+    {
+      return;
+    }
+    if (const auto* point = boost::get<Kernel::Point_3>(&met->first))
+    {
+      this->meet(*point, triangle);
+    }
+    else if (const auto* along = boost::get<Segment>(&met->first)) // in the triangle's plane
+    {
+      this->meet(along->source(), triangle);
+      this->meet(along->target(), triangle);
+    }
+  }
+
+  std::optional<SurfaceTree::Place> result;
+
+private:
+  bool isNextTo(Index triangle) const
+  {
+    const auto corner = [&](int k) {
+      return this->mesh.point(Mesh::Vertex_index(3 * triangle + k)).bbox();
+    };
+    return CGAL::do_overlap(this->around, corner(0) + corner(1) + corner(2));
+  }
+
+  void meet(const Kernel::Point_3& point, Index triangle)
+  {
+    const double squared = CGAL::squared_distance(this->way.source(), point);
+    if (squared < this->least || (squared == this->least && triangle < this->result->triangle))
+    {
+      this->least = squared;
+      this->result = SurfaceTree::Place{ fromKernel(point), triangle };
+    }
+  }
+
+  const Mesh& mesh;
+  const Tree::AABB_traits& traits;
+  Segment way;
+  CGAL::Bbox_3 around;
+  Index skipped;
+  double least =
+    std::numeric_limits<double>::infinity(); ///< squared distance from where the way begins
+};
 }
 
 struct SurfaceTree::Implementation
@@ -109,37 +184,10 @@ std::optional<SurfaceTree::Place> SurfaceTree::firstMet(
   {
     return {};
   }
-  const Kernel::Segment_3 way(toKernel(from), toKernel(to));
-  std::vector<Tree::Intersection_and_primitive_id<Kernel::Segment_3>::Type> met;
-  this->implementation->tree.all_intersections(way, std::back_inserter(met));
-  std::optional<Place> result;
-  double least = std::numeric_limits<double>::infinity();
-  const auto meet = [&](const Kernel::Point_3& point, Index triangle) {
-    const double squared = CGAL::squared_distance(way.source(), point);
-    if (squared < least || (squared == least && triangle < result->triangle))
-    {
-      least = squared;
-      result = Place{ fromKernel(point), triangle };
-    }
-  };
-  for (const auto& [where, face] : met)
-  {
-    const auto triangle = static_cast<Index>(face.idx());
-    if (triangle == skipped)
-    {
-      continue;
-    }
-    if (const auto* point = boost::get<Kernel::Point_3>(&where))
-    {
-      meet(*point, triangle);
-    }
-    else if (const auto* along = boost::get<Kernel::Segment_3>(&where)) // in the triangle's plane
-    {
-      meet(along->source(), triangle);
-      meet(along->target(), triangle);
-    }
-  }
-  return result;
+  const Segment way(toKernel(from), toKernel(to));
+  FirstMet search(this->implementation->mesh, this->implementation->tree, way, skipped);
+  this->implementation->tree.traversal(way, search);
+  return search.result;
 }
 
 bool SurfaceTree::encloses(const Point& point) const
