@@ -104,7 +104,7 @@ BallsAround ballsAround(const std::vector<Index>& core, const PolarBalls& before
     result.balls = only(ballsOfCore(made, isCore), made);
     for (const Ball& ball : result.balls.balls)
     {
-      result.samples.push_back(neighbors.nearest(ball.center, 1).front());
+      result.samples.push_back(neighbors.nearestOne(ball.center));
     }
     sortUnique(result.samples);
   }

@@ -147,7 +147,7 @@ private:
     const std::vector<Point> places = placesOf(faces);
     const Neighbors farPlaces(places);
     const auto isElsewhere = [&](const Point& place, double spacing) {
-      const FarFace& nearest = faces[farPlaces.nearest(place, 1).front()];
+      const FarFace& nearest = faces[farPlaces.nearestOne(place)];
       return (nearest.place - place).norm() > next * nearest.spacing ||
         this->isAtSharpEdge(place, spacing);
     };

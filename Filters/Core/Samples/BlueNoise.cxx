@@ -48,24 +48,25 @@ std::array<Point, 3> cornersOf(const TriangleSet& surface, Index t)
   return { surface.points[corners[0]], surface.points[corners[1]], surface.points[corners[2]] };
 }
 
-struct Candidate
+/// All candidates, and the random order in which they are taken.
+struct Candidates
 {
-  std::uint64_t order;
-  SurfacePoint point;
-  double spacing;
+  std::vector<Point> places;
+  std::vector<Index> pieces;                          ///< of each
+  std::vector<std::pair<std::uint64_t, Index>> order; ///< a random number, and the candidate's own
 };
 
 /// The candidates of a piece.
+/// @param number  of the piece
 /// @param random  of its triangle
-void addCandidates(
-  const SurfacePiece& piece, const Point& normal, Random& random, std::vector<Candidate>& result)
+void addCandidates(const SurfacePiece& piece, Index number, Random& random, Candidates& result)
 {
   constexpr double each = 8; // for each sample: more would hardly narrow the gaps
   // The part of a candidate is one with its probability.
-  const auto number =
+  const auto howMany =
     static_cast<Index>(std::floor(each * expectedSamples(piece) + random.uniform()));
   const auto& [a, b, c] = piece.corners;
-  for (Index i = 0; i < number; ++i)
+  for (Index i = 0; i < howMany; ++i)
   {
     double u = random.uniform(), v = random.uniform();
     if (u + v > 1)
@@ -73,29 +74,29 @@ void addCandidates(
       u = 1 - u;
       v = 1 - v;
     }
-    const Point p = a + u * (b - a) + v * (c - a);
-    result.push_back({ random.bits(), { p, normal, piece.triangle }, piece.spacing });
+    result.order.emplace_back(random.bits(), count(result.places));
+    result.places.emplace_back(a + u * (b - a) + v * (c - a));
+    result.pieces.push_back(number);
   }
 }
 
-/// In random order.
-std::vector<Candidate> candidates(
-  const TriangleSet& surface, const std::vector<SurfacePiece>& pieces)
+/// @param places  there are already, before those of the candidates
+Candidates candidates(const std::vector<SurfacePiece>& pieces, std::vector<Point> places)
 {
-  std::vector<Candidate> result;
+  Candidates result{ std::move(places), {}, {} };
+  result.pieces.assign(result.places.size(), None);
   Random random(None);
   Index triangle = None;
-  for (const SurfacePiece& piece : pieces)
+  for (Index i = 0; i < count(pieces); ++i)
   {
-    if (piece.triangle != triangle)
+    if (pieces[i].triangle != triangle)
     {
-      triangle = piece.triangle;
+      triangle = pieces[i].triangle;
       random = Random(triangle);
     }
-    addCandidates(piece, surface.normals[triangle], random, result);
+    addCandidates(pieces[i], i, random, result);
   }
-  std::stable_sort(result.begin(), result.end(),
-    [](const Candidate& a, const Candidate& b) { return a.order < b.order; });
+  std::sort(result.order.begin(), result.order.end());
   return result;
 }
 
@@ -182,36 +183,29 @@ std::vector<SurfacePoint> blueNoise(const TriangleSet& surface,
   const SpacingField& spacing, const Execution& execution)
 {
   std::vector<SurfacePoint> result = taken;
-  const std::vector<Candidate> all = candidates(surface, pieces);
+  const Candidates all = candidates(pieces, positions(taken));
   execution.report(0.4);
-  std::vector<Point> places = positions(taken);
-  places.reserve(taken.size() + all.size());
-  for (const Candidate& candidate : all)
-  {
-    places.push_back(candidate.point.position);
-  }
-  const Neighbors neighbors(places);
+  const Neighbors neighbors(all.places);
   execution.report(0.6);
-  std::vector<char> dropped(places.size(), 0);
-  const auto keepAway = [&](Index i, double distance) {
-    for (const Index other : neighbors.within(i, distance))
-    {
-      dropped[other] = 1;
-    }
+  std::vector<char> dropped(all.places.size(), 0);
+  const auto keepAway = [&](const Point& place, double distance) {
+    neighbors.forEachWithin(place, distance, [&dropped](Index other) { dropped[other] = 1; });
   };
-  const Index first = count(taken);
-  for (Index i = 0; i < first; ++i)
+  for (const SurfacePoint& each : taken)
   {
     constexpr double nearer = 0.75;
-    keepAway(i, nearer * spacing.at(places[i]));
+    keepAway(each.position, nearer * spacing.at(each.position));
   }
-  for (Index i = first; i < count(places); ++i)
+  for (Index i = 0; i < count(all.order); ++i)
   {
     execution.pollAt(i);
-    if (!dropped[i])
+    const Index candidate = all.order[i].second;
+    if (!dropped[candidate])
     {
-      result.push_back(all[i - first].point);
-      keepAway(i, all[i - first].spacing);
+      const SurfacePiece& piece = pieces[all.pieces[candidate]];
+      const Point& place = all.places[candidate];
+      result.push_back({ place, surface.normals[piece.triangle], piece.triangle });
+      keepAway(place, piece.spacing);
     }
   }
   execution.report(1);

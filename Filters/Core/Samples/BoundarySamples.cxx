@@ -138,7 +138,8 @@ struct BoundarySampler::Implementation
         blueNoise(this->triangles, this->pieces, {}, before, part.between(0, 0.5));
       at.insert(at.end(), more.begin(), more.end());
       const Index finer = this->measure(at, known, before, part.between(0.5, 1));
-      this->field = SpacingField(this->largest, this->probes.places, this->probes.spacings);
+      this->field =
+        SpacingField(this->largest, this->probes.places, this->probes.spacings, part.between(0, 0));
       this->limit(part);
       constexpr double few = 0.001; // of the samples: the next round would hardly differ
       if (round + 1 == rounds || (round > 0 && finer <= few * count(at)))
@@ -147,7 +148,7 @@ struct BoundarySampler::Implementation
       }
       this->pieces.erase(std::remove_if(this->pieces.begin(), this->pieces.end(),
                            [&](const SurfacePiece& piece) {
-                             return !isMuchFiner(piece.spacing, before.at(piece.middle()));
+                             return !isMuchFiner(piece.spacing, before, piece.middle());
                            }),
         this->pieces.end());
       before = this->field;
@@ -167,7 +168,11 @@ struct BoundarySampler::Implementation
     }
   }
 
-  static bool isMuchFiner(double spacing, double before) { return spacing < 0.7 * before; }
+  static bool isMuchFiner(double spacing, const SpacingField& before, const Point& place)
+  {
+    constexpr double much = 0.7;
+    return spacing < much * before.most() && spacing < much * before.at(place);
+  }
 
   /// The spacing that a thickness asks for. Walls come as close as one likes at the tip of a wedge or in a fold; samples
   /// don't, and more of them would leave more places where the walls are not told apart. So what would need
@@ -198,7 +203,7 @@ struct BoundarySampler::Implementation
       const Point& place = at[first + i].position;
       this->probes.places.push_back(place);
       this->probes.spacings.push_back(this->wanted(thickness[i]));
-      finer += isMuchFiner(this->probes.spacings.back(), before.at(place));
+      finer += isMuchFiner(this->probes.spacings.back(), before, place);
     }
     return finer;
   }
@@ -316,7 +321,7 @@ Index BoundarySampler::add(
   {
     const double spacing = known.field.at(at[i]), near = apart * spacing;
     const std::vector<Index> around = candidates.within(i, near);
-    if ((before[present.nearest(at[i], 1).front()] - at[i]).norm() >= near &&
+    if ((before[present.nearestOne(at[i])] - at[i]).norm() >= near &&
       std::none_of(around.begin(), around.end(), [&](Index other) { return isAdded[other]; }))
     {
       isAdded[i] = 1;
@@ -344,7 +349,8 @@ void BoundarySampler::refine(const std::vector<Point>& places, const Execution& 
     known.probes.places.push_back(place);
     known.probes.spacings.push_back(known.field.at(place) / 2);
   }
-  known.field = SpacingField(known.largest, known.probes.places, known.probes.spacings);
+  known.field = SpacingField(
+    known.largest, known.probes.places, known.probes.spacings, execution.between(0, 0));
   known.limit(execution);
 }
 }

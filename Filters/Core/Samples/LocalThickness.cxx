@@ -54,7 +54,13 @@ public:
     for (int step = 0; step < steps && radius > 0; ++step)
     {
       const Point center = sample.position + radius * inwards;
-      const SurfacePoint& nearest = this->samples[this->neighbors.nearest(center, 1).front()];
+      constexpr double rounding = 1e-9;
+      const Index found = this->neighbors.nearestOne(center, (1 + rounding) * enough * radius);
+      if (found == None)
+      {
+        break;
+      }
+      const SurfacePoint& nearest = this->samples[found];
       const Point across = nearest.position - sample.position;
       const double along = across.dot(inwards);
       if ((nearest.position - center).norm() >= enough * radius || along <= 0)

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/SpacingField.h"
 
+#include "Base/Lists.h"
+
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -14,36 +17,39 @@ namespace
 {
 constexpr Index asked = 8; // neighbours of a point of a surface, all around it
 
-/// For each point its neighbours, and those that it is a neighbour of.
-std::vector<std::pair<Index, Index>> links(const Neighbors& neighbors, Index pointCount)
+/// For each point its neighbours, and those that it is a neighbour of; some of them twice.
+IndexLists links(const Neighbors& neighbors, Index pointCount, const Execution& execution)
 {
-  std::vector<std::pair<Index, Index>> result;
-  for (Index i = 0; i < pointCount; ++i)
-  {
-    for (const Index other : neighbors.nearest(i, asked))
+  std::vector<std::array<Index, asked>> near(pointCount);
+  execution.forEach(pointCount, [&](Index i) {
+    const std::vector<Index> found = neighbors.nearest(i, asked);
+    near[i].fill(None); // where there are fewer
+    std::copy(found.begin(), found.end(), near[i].begin());
+  });
+  return listsByKey(pointCount, [&near](const auto& add) {
+    for (Index i = 0; i < count(near); ++i)
     {
-      result.emplace_back(i, other);
-      result.emplace_back(other, i);
+      for (const Index other : near[i])
+      {
+        if (other != None)
+        {
+          add(i, other);
+          add(other, i);
+        }
+      }
     }
-  }
-  sortUnique(result);
-  return result;
+  });
 }
 }
 
-SpacingField::SpacingField(double largest, std::vector<Point> points, std::vector<double> spacings)
+SpacingField::SpacingField(double largest, std::vector<Point> points, std::vector<double> spacings,
+  const Execution& execution)
   : largest(largest)
   , points(std::make_shared<const std::vector<Point>>(std::move(points)))
   , spacings(std::move(spacings))
   , neighbors(std::make_shared<const Neighbors>(*this->points))
 {
-  const auto pairs = links(*this->neighbors, count(*this->points));
-  const IndexLists near = listsByKey(count(*this->points), [&pairs](const auto& add) {
-    for (const auto& [from, to] : pairs)
-    {
-      add(from, to);
-    }
-  });
+  const IndexLists near = links(*this->neighbors, count(*this->points), execution);
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (Index i = 0; i < count(this->spacings); ++i)

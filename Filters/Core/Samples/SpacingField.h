@@ -2,10 +2,11 @@
 #ifndef medial_SpacingField_h
 #define medial_SpacingField_h
 
-#include "Base/Lists.h"
+#include "Base/Execution.h"
 #include "Base/Neighbors.h"
 #include "Base/Types.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,9 +26,13 @@ public:
 
   /// @param points    where it is given
   /// @param spacings  at most so much at each
-  SpacingField(double largest, std::vector<Point> points, std::vector<double> spacings);
+  SpacingField(double largest, std::vector<Point> points, std::vector<double> spacings,
+    const Execution& execution = {});
 
   double at(const Point& point) const;
+
+  /// It is nowhere more.
+  double most() const { return std::max(this->largest, this->least); }
 
   /// The same, but nowhere less.
   SpacingField atLeast(double least) const;
