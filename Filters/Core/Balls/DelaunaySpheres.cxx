@@ -51,15 +51,22 @@ void measureCells(DelaunaySpheres& spheres, const Execution& execution)
 bool isOnSphere(const DelaunaySpheres& spheres, Index cell, const Ball& sphere)
 {
   const Tetrahedron& corners = spheres.delaunay.cells[cell];
+  const auto areWithin = [&](double reach) {
+    return std::all_of(corners.begin(), corners.end(), [&](Index v) {
+      return std::abs((spheres.points[v] - sphere.center).norm() - sphere.radius) <= reach;
+    });
+  };
+  if (!areWithin(std::max(coincident, spheres.precision))) // as most are, however long their edges
+  {
+    return false;
+  }
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& [i, j] : cellEdges)
   {
     shortest = std::min(shortest, (spheres.points[corners[i]] - spheres.points[corners[j]]).norm());
   }
   const double reach = std::max(coincident, std::min(spheres.precision, leastPrecision * shortest));
-  return std::all_of(corners.begin(), corners.end(), [&](Index v) {
-    return std::abs((spheres.points[v] - sphere.center).norm() - sphere.radius) <= reach;
-  });
+  return areWithin(reach);
 }
 
 /// Gives the class of `seed` to all cells on its sphere that lead to it.
