@@ -155,6 +155,12 @@ struct SurfaceTree::Implementation
   Inside inside;
 };
 
+double distanceToTriangle(const Point& point, const Point& a, const Point& b, const Point& c)
+{
+  const Kernel::Triangle_3 triangle(toKernel(a), toKernel(b), toKernel(c));
+  return std::sqrt(CGAL::squared_distance(toKernel(point), triangle));
+}
+
 SurfaceTree::SurfaceTree(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
   : implementation(new Implementation(points, triangles))
 {
@@ -172,9 +178,10 @@ SurfaceTree::Place SurfaceTree::nearest(const Point& point) const
 double SurfaceTree::distance(const Point& point, Index triangle) const
 {
   const Mesh& mesh = this->implementation->mesh;
-  const auto corner = [&](int k) { return mesh.point(Mesh::Vertex_index(3 * triangle + k)); };
-  const Kernel::Triangle_3 whole(corner(0), corner(1), corner(2));
-  return std::sqrt(CGAL::squared_distance(toKernel(point), whole));
+  const auto corner = [&](int k) {
+    return fromKernel(mesh.point(Mesh::Vertex_index(3 * triangle + k)));
+  };
+  return distanceToTriangle(point, corner(0), corner(1), corner(2));
 }
 
 std::optional<SurfaceTree::Place> SurfaceTree::firstMet(

@@ -10,6 +10,9 @@
 
 namespace medial
 {
+/// How far a point is from the triangle a b c, an area or not.
+double distanceToTriangle(const Point& point, const Point& a, const Point& b, const Point& c);
+
 /// Finds the nearest point of a triangulated surface, the triangle that a way meets first, and whether
 /// a point is enclosed. Built in O(n log n); a search takes about O(log n). Threads may search at the
 /// same time.

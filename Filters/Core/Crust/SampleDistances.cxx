@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Crust/SampleDistances.h"
 
+#include "Base/Lists.h"
+#include "Base/Neighbors.h"
 #include "Base/SurfaceTree.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace medial
 {
@@ -30,6 +33,49 @@ std::vector<Index> samplesBeside(const std::vector<Point>& samples, const CrustS
   }
   return result;
 }
+
+/// Finds the triangles near places.
+class NearTriangles
+{
+public:
+  explicit NearTriangles(const CrustSurface& crustSurface)
+    : surface(crustSurface)
+    , points(crustSurface.points)
+    , trianglesAt(listsByKey(count(crustSurface.points), [&crustSurface](const auto& add) {
+      for (Index t = 0; t < count(crustSurface.triangles); ++t)
+      {
+        for (const Index p : crustSurface.triangles[t])
+        {
+          add(p, t);
+        }
+      }
+    }))
+  {
+  }
+
+  /// The distance to the triangles at the nearest points.
+  double distance(const Point& place) const
+  {
+    constexpr Index howMany = 3;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index p : this->points.nearest(place, howMany))
+    {
+      for (const Index t : this->trianglesAt[p])
+      {
+        const auto& [a, b, c] = this->surface.triangles[t];
+        least = std::min(least,
+          distanceToTriangle(
+            place, this->surface.points[a], this->surface.points[b], this->surface.points[c]));
+      }
+    }
+    return least;
+  }
+
+private:
+  const CrustSurface& surface;
+  Neighbors points;
+  IndexLists trianglesAt;
+};
 }
 
 SampleDistances sampleDistances(
@@ -40,12 +86,10 @@ SampleDistances sampleDistances(
   {
     return {};
   }
-  const SurfaceTree tree(surface.points, surface.triangles);
+  const NearTriangles near(surface);
   std::vector<double> distances(beside.size());
-  execution.forEach(count(beside), [&](Index i) {
-    const Point& sample = samples[beside[i]];
-    distances[i] = (tree.nearest(sample).point - sample).norm();
-  });
+  execution.forEach(
+    count(beside), [&](Index i) { distances[i] = near.distance(samples[beside[i]]); });
   std::sort(distances.begin(), distances.end());
   const std::size_t above = samples.size() / 100; // so many may be farther away
   return { above < distances.size() ? distances[distances.size() - 1 - above] : 0,

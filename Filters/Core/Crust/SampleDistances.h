@@ -17,7 +17,8 @@ struct SampleDistances
   double largest = 0;
 };
 
-/// Of samples that are points of the surface it is 0, without a search; O(n log n) for n triangles.
+/// Of samples that are points of the surface it is 0, without a search. Of the others it is that to the triangles
+/// at the three points of the surface that are nearest to it: never too small. O(n log n) for n triangles.
 SampleDistances sampleDistances(
   const std::vector<Point>& samples, const CrustSurface& surface, const Execution& execution = {});
 }
