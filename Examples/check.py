@@ -147,8 +147,11 @@ class SimplifyShape(ProgramTest):
 
     def check_iterations(self, report, out):
         rows = report["iterations"]
+        moved = report["moved"]
         self.assertEqual([(row["measure"], row["threshold"]) for row in rows],
-                         [("triangleCount", 5), ("triangleCount", 5), ("relativeVolume", 0.01)])
+                         [("triangleCount", 5), ("triangleCount", 5), ("hausdorffDistance", moved["spacing"] / 2)])
+        self.assertLessEqual(moved["percentile99"], moved["largest"])
+        self.assertLess(moved["largest"], moved["spacing"])
         self.assertEqual(rows[0]["partsBefore"], report["parts"])
         for before, after in zip(rows, rows[1:]):
             self.assertEqual(before["partsAfter"], after["partsBefore"])
