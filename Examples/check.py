@@ -147,11 +147,8 @@ class SimplifyShape(ProgramTest):
 
     def check_iterations(self, report, out):
         rows = report["iterations"]
-        moved = report["moved"]
         self.assertEqual([(row["measure"], row["threshold"]) for row in rows],
-                         [("triangleCount", 5), ("triangleCount", 5), ("hausdorffDistance", moved["spacing"] / 2)])
-        self.assertLessEqual(moved["percentile99"], moved["largest"])
-        self.assertLess(moved["largest"], moved["spacing"])
+                         [("triangleCount", 5), ("triangleCount", 5), ("hausdorffDistance", report["moved"]["spacing"] / 2)])
         self.assertEqual(rows[0]["partsBefore"], report["parts"])
         for before, after in zip(rows, rows[1:]):
             self.assertEqual(before["partsAfter"], after["partsBefore"])
