@@ -75,7 +75,7 @@ public:
   {
   }
 
-  // What CGAL's traversal calls.
+  // What CGAL's traversal calls. NOLINTBEGIN(readability-identifier-naming)
   static bool go_further() { return true; }
   template <typename Node>
   bool do_intersect(const Segment&, const Node& node) const
@@ -83,6 +83,7 @@ public:
     return CGAL::do_overlap(this->around, node.bbox()) &&
       this->traits.do_intersect_object()(this->way, node.bbox());
   }
+  // NOLINTEND(readability-identifier-naming)
   void intersection(const Segment&, const Primitive& primitive)
   {
     const auto triangle = static_cast<Index>(primitive.id().idx());

@@ -71,7 +71,7 @@ std::optional<CGAL::Oriented_side> roundedSide(const Kernel::Point_3& p, const K
 /// and exact numbers would take a third of the time for these; long doubles decide nine of ten of them.
 struct DelaunayKernel : Kernel
 {
-  struct Side_of_oriented_sphere_3
+  struct Side_of_oriented_sphere_3 // NOLINT(readability-identifier-naming): CGAL's name
   {
     using result_type = CGAL::Oriented_side;
     result_type operator()(const Point_3& p, const Point_3& q, const Point_3& r, const Point_3& s,
