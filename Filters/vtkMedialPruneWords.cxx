@@ -11,42 +11,43 @@ const medial::SchedulePreset* presetOf(int number)
   const std::vector<medial::SchedulePreset>& all = medial::schedulePresets();
   return number >= 0 && number < static_cast<int>(all.size()) ? &all[number] : nullptr;
 }
+
+/// A text of a row of a table; null without a row.
+template <typename Row>
+const char* textOf(const Row* row, const char* Row::*text)
+{
+  return row ? row->*text : nullptr;
+}
 }
 
 const char* vtkMedialPrune::GetPresetName(int preset)
 {
-  const medial::SchedulePreset* found = presetOf(preset);
-  return found ? found->name : nullptr;
+  return textOf(presetOf(preset), &medial::SchedulePreset::name);
 }
 
 const char* vtkMedialPrune::GetPresetWords(int preset)
 {
-  const medial::SchedulePreset* found = presetOf(preset);
-  return found ? found->words : nullptr;
+  return textOf(presetOf(preset), &medial::SchedulePreset::words);
 }
 
 const char* vtkMedialPrune::GetPresetDescription(int preset)
 {
-  const medial::SchedulePreset* found = presetOf(preset);
-  return found ? found->what : nullptr;
+  return textOf(presetOf(preset), &medial::SchedulePreset::what);
 }
 
 const char* vtkMedialPrune::GetMeasureName(int measure)
 {
-  const medial::MeasureTraits* traits = medial::findMeasure(measure);
-  return traits ? traits->name : nullptr;
+  return textOf(medial::findMeasure(measure), &medial::MeasureTraits::name);
 }
 
 const char* vtkMedialPrune::GetMeasureArray(int measure)
 {
-  const medial::MeasureTraits* traits = medial::findMeasure(measure);
-  return traits ? traits->cellArray : nullptr;
+  return textOf(medial::findMeasure(measure), &medial::MeasureTraits::cellArray);
 }
 
 const char* vtkMedialPrune::GetMeasureDescription(int measure)
 {
-  const medial::MeasureTraits* traits = medial::findMeasure(measure);
-  return traits ? traits->description : nullptr;
+  return textOf(medial::findMeasure(measure), &medial::MeasureTraits::description);
 }
 
 const char* vtkMedialPrune::GetMeasureUnit(int measure)
