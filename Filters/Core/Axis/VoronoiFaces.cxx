@@ -42,31 +42,19 @@ Index facetNumber(const Tetrahedra& mesh, Index cell, int i)
     static_cast<Index>(std::find(across.begin(), across.end(), cell) - across.begin());
 }
 
-/// Calls body(cell, facet that leads to the next one) for the cells around an edge, which are all in the set.
+/// Calls body(cell, facet that leads to the next one) for the cells around an edge of sites, which are all in
+/// the set, in any direction.
 template <typename Body>
-void forCellsAround(const Tetrahedra& mesh, const Edge& edge, Index start, const Body& body)
+void forCellsAround(const SiteTriangulation& sites, Index edge, Index start, const Body& body)
 {
-  const auto placeOf = [&mesh](Index cell, Index corner) {
-    const Tetrahedron& corners = mesh.cells[cell];
-    return static_cast<int>(std::find(corners.begin(), corners.end(), corner) - corners.begin());
-  };
-  const int first = placeOf(start, edge[0]), second = placeOf(start, edge[1]);
-  int leave = 0; // any corner that is not on the edge
-  while (leave == first || leave == second)
+  const Edge& ends = sites.edges.edges[edge];
+  const Tetrahedron& corners = sites.mesh.cells[start];
+  int leave = 0;
+  while (corners[leave] == ends[0] || corners[leave] == ends[1])
   {
     ++leave;
   }
-  Index cell = start;
-  Index pivot = mesh.cells[cell][6 - first - second - leave]; // shared with the next cell
-  do
-  {
-    body(cell, leave);
-    const Index next = mesh.neighbors[cell][leave];
-    leave = placeOf(next, pivot);
-    pivot = mesh.cells[next][6 - placeOf(next, edge[0]) - placeOf(next, edge[1]) - leave];
-    cell = next;
-  }
-  while (cell != start);
+  forCellsAround(sites.mesh, ends, start, leave, body);
 }
 
 /// Do all cells around an edge have the same vertex? Then its face shrinks to that.
@@ -74,7 +62,7 @@ bool isInVertex(
   const SiteTriangulation& sites, Index edge, Index cell, const AxisVertices& vertices)
 {
   bool result = true;
-  forCellsAround(sites.mesh, sites.edges.edges[edge], cell,
+  forCellsAround(sites, edge, cell,
     [&](Index c, int) { result = result && vertices.ofCell[c] == vertices.ofCell[cell]; });
   return result;
 }
@@ -161,7 +149,7 @@ FaceWalks faceWalks(const SiteTriangulation& sites, const Faces& faces,
     {
       continue;
     }
-    forCellsAround(sites.mesh, sites.edges.edges[e], faces[e], [&](Index cell, int leave) {
+    forCellsAround(sites, e, faces[e], [&](Index cell, int leave) {
       if (vertices.ofCell[cell] != vertices.ofCell[sites.mesh.neighbors[cell][leave]])
       {
         result.vertices.items.push_back(vertices.ofCell[cell]);

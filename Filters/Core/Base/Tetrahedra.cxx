@@ -156,32 +156,4 @@ EdgeNumbers edgeNumbers(const std::vector<Tetrahedron>& cells, Index pointCount)
   }
   return result;
 }
-
-std::vector<Index> cellsAround(const Tetrahedra& mesh, const Edge& edge, Index start, int leave)
-{
-  std::vector<Index> ring;
-  Index cell = start;
-  do
-  {
-    ring.push_back(cell);
-    const Tetrahedron& corners = mesh.cells[cell];
-    Index pivot = None; // shared with the next cell, where it is opposite to the facet to cross
-    for (int i = 0; i < 4; ++i)
-    {
-      if (i != leave && corners[i] != edge[0] && corners[i] != edge[1])
-      {
-        pivot = corners[i];
-      }
-    }
-    cell = mesh.neighbors[cell][leave];
-    if (cell == None)
-    {
-      return {};
-    }
-    const Tetrahedron& next = mesh.cells[cell];
-    leave = static_cast<int>(std::find(next.begin(), next.end(), pivot) - next.begin());
-  }
-  while (cell != start);
-  return ring;
-}
 }

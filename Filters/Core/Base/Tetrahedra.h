@@ -4,6 +4,7 @@
 
 #include "Base/Types.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace medial
@@ -51,12 +52,37 @@ struct EdgeNumbers
 };
 EdgeNumbers edgeNumbers(const std::vector<Tetrahedron>& cells, Index pointCount);
 
-/// The cells around an edge, in the order of a walk that begins in `start` and leaves it across the
-/// facet opposite to its corner number `leave`; empty where the walk comes to the hull.
-/// @param start  a cell at the edge
+/// Walks around an edge: calls body(cell, leave) for each cell, which the walk leaves across the facet opposite to
+/// its corner number `leave`.
+/// @param start  a cell at the edge, the first one
 /// @param leave  0 ... 3, one of the two corners that are not on the edge; which one decides
 ///               the direction of the walk
-std::vector<Index> cellsAround(const Tetrahedra& mesh, const Edge& edge, Index start, int leave);
+/// @return  did it come around? Else it came to the hull
+template <typename Body>
+bool forCellsAround(
+  const Tetrahedra& mesh, const Edge& edge, Index start, int leave, const Body& body)
+{
+  const auto placeOf = [&mesh](Index cell, Index corner) {
+    const Tetrahedron& corners = mesh.cells[cell];
+    return static_cast<int>(std::find(corners.begin(), corners.end(), corner) - corners.begin());
+  };
+  Index cell = start;
+  do
+  {
+    body(cell, leave);
+    // The last corner is shared with the next cell, where it is opposite to the facet to cross.
+    const int last = 6 - placeOf(cell, edge[0]) - placeOf(cell, edge[1]) - leave;
+    const Index pivot = mesh.cells[cell][last];
+    cell = mesh.neighbors[cell][leave];
+    if (cell == None)
+    {
+      return false;
+    }
+    leave = placeOf(cell, pivot);
+  }
+  while (cell != start);
+  return true;
+}
 }
 
 #endif
