@@ -61,6 +61,19 @@ std::vector<Triangle> aroundCentroid(
 }
 }
 
+IndexLists trianglesAtPoints(const std::vector<Triangle>& triangles, Index pointCount)
+{
+  return listsByKey(pointCount, [&triangles](const auto& add) {
+    for (Index t = 0; t < count(triangles); ++t)
+    {
+      for (const Index corner : triangles[t])
+      {
+        add(corner, t);
+      }
+    }
+  });
+}
+
 std::vector<Triangle> triangulate(
   const std::vector<Index>& polygon, std::vector<Point>& points, EdgeSet& edges)
 {

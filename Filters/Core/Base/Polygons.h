@@ -3,12 +3,16 @@
 #define medial_Polygons_h
 
 #include "Base/EdgeTable.h"
+#include "Base/Lists.h"
 #include "Base/Types.h"
 
 #include <vector>
 
 namespace medial
 {
+/// For each point the triangles that have it as a corner, ascending.
+IndexLists trianglesAtPoints(const std::vector<Triangle>& triangles, Index pointCount);
+
 /// Cuts a convex polygon into a fan of triangles, oriented as it is.
 ///
 /// A diagonal must not be an edge that exists already, or two faces would be glued together along it.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Crust/EditableTriangles.h"
 
+#include "Base/Polygons.h"
+
 #include <algorithm>
 
 namespace medial
@@ -15,16 +17,7 @@ bool hasCorner(const Triangle& triangle, Index point)
 
 EditableTriangles::EditableTriangles(std::vector<Triangle>& ofSurface, Index pointCount)
   : triangles(ofSurface)
-  , before(listsByKey(pointCount,
-      [&ofSurface](const auto& add) {
-        for (Index t = 0; t < count(ofSurface); ++t)
-        {
-          for (const Index corner : ofSurface[t])
-          {
-            add(corner, t);
-          }
-        }
-      }))
+  , before(trianglesAtPoints(ofSurface, pointCount))
   , numberOfList(pointCount, None)
 {
 }

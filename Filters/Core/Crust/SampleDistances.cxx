@@ -3,6 +3,7 @@
 
 #include "Base/Lists.h"
 #include "Base/Neighbors.h"
+#include "Base/Polygons.h"
 #include "Base/SurfaceTree.h"
 
 #include <algorithm>
@@ -41,15 +42,7 @@ public:
   explicit NearTriangles(const CrustSurface& crustSurface)
     : surface(crustSurface)
     , points(crustSurface.points)
-    , trianglesAt(listsByKey(count(crustSurface.points), [&crustSurface](const auto& add) {
-      for (Index t = 0; t < count(crustSurface.triangles); ++t)
-      {
-        for (const Index p : crustSurface.triangles[t])
-        {
-          add(p, t);
-        }
-      }
-    }))
+    , trianglesAt(trianglesAtPoints(crustSurface.triangles, count(crustSurface.points)))
   {
   }
 
