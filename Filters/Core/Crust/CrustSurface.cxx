@@ -15,6 +15,21 @@ namespace medial
 {
 namespace
 {
+/// For each vertex those next to it in loops, from each side of a face.
+IndexLists verticesNext(const IndexLists& loops, Index vertexCount)
+{
+  return listsByKey(vertexCount, [&loops](const auto& add) {
+    for (Index face = 0; face < loops.size(); ++face)
+    {
+      const IndexLists::View loop = loops[face];
+      for (Index k = 0; k < loop.size(); ++k)
+      {
+        add(loop[k], loop[k + 1 < loop.size() ? k + 1 : 0]);
+      }
+    }
+  });
+}
+
 /// Sets of neighbouring power vertices that become one point of the crust.
 ///
 /// All polar balls through a sample meet in it, so very many power vertices are at a sample, joined by
@@ -181,7 +196,8 @@ private:
       this->split[set] = 1;
     };
     this->contract();
-    this->findNeighbors();
+    this->next = verticesNext(this->contracted, count(this->vertices));
+    this->execution.poll();
     std::vector<Index> last(this->vertices.size(), None); // vertex that had this neighbour
     for (Index from = 0; from < this->next.size(); ++from)
     {
@@ -208,22 +224,6 @@ private:
       }
     }
     return any;
-  }
-
-  /// From each side of a face.
-  void findNeighbors()
-  {
-    this->next = listsByKey(count(this->vertices), [this](const auto& add) {
-      for (Index face = 0; face < this->contracted.size(); ++face)
-      {
-        const IndexLists::View loop = this->contracted[face];
-        for (Index k = 0; k < loop.size(); ++k)
-        {
-          add(loop[k], loop[k + 1 < loop.size() ? k + 1 : 0]);
-        }
-      }
-    });
-    this->execution.poll();
   }
 
   const PowerDiagram& diagram;

@@ -29,10 +29,10 @@ struct LabelledBalls
 /// that keep it.
 ///
 /// A region is looked at alone, by the cells that fill it with and without the removed balls: what is around
-/// it is the same. So Betti numbers that differ tell of the region. There the removed balls are halved in space. If one half keeps
-/// the topology, the search goes on in it, and only in the regions that this half changes. The regular triangulation of a region's
-/// own balls has all cells that fill it. With n
-/// removed balls and one needed, O(n log n) time. Else both halves have needed balls.
+/// it is the same, so Betti numbers that differ tell of the region. The regular triangulation of a region's own
+/// balls has all cells that fill it. The removed balls are halved in space. If one half keeps the topology, the
+/// search goes on in it, and only in the regions that this half changes: with n removed balls and one needed,
+/// O(n log n) time. Else both halves have needed balls.
 /// @param with, without, removed  as for changedRegions, by the numbers of `balls`
 std::vector<ContradictedRegion> contradictedRegions(const LabelledBalls& balls,
   const std::vector<Tetrahedron>& with, const std::vector<Tetrahedron>& without,
