@@ -2,6 +2,7 @@
 #include "Balls/CrustApproach.h"
 
 #include "Balls/BallsAround.h"
+#include "Balls/FarSpots.h"
 #include "Base/Lists.h"
 #include "Base/Neighbors.h"
 
@@ -15,6 +16,16 @@ namespace medial
 {
 namespace
 {
+constexpr double told = 0.5;           // spacings
+constexpr double wanted = 0.96 * told; // other places of a face may be a little farther
+constexpr double most = 0.9 * wanted;  // nearly as far
+constexpr double reach = 8;            // spacings: the balls there change with a sample
+
+std::array<Index, 2> badness(const std::vector<FarFace>& faces)
+{
+  return FarSpots::badness(faces, wanted);
+}
+
 class CrustApproach
 {
 public:
@@ -65,62 +76,35 @@ public:
   }
 
 private:
-  static constexpr double told = 0.5;           // spacings
-  static constexpr double wanted = 0.96 * told; // other places of a face may be a little farther
-  static constexpr double most = 0.9 * wanted;  // nearly as far
-
   std::vector<FarFace> farFacesOf(const PolarBallsAndSamples& made, const BoundarySamples& samples,
     const Execution& execution) const
   {
     return farFaces(made.balls, samples.points, this->tree, most, this->isAtSharpEdge, execution);
   }
 
-  static std::vector<Point> placesOf(const std::vector<FarFace>& faces)
-  {
-    std::vector<Point> result(faces.size());
-    std::transform(
-      faces.begin(), faces.end(), result.begin(), [](const FarFace& face) { return face.place; });
-    return result;
-  }
-
-  /// How many faces are farther than wanted, and how many nearly are.
-  static std::array<Index, 2> badness(const std::vector<FarFace>& faces)
-  {
-    const auto isTooFar = [](const FarFace& face) { return face.distance > wanted; };
-    return { static_cast<Index>(std::count_if(faces.begin(), faces.end(), isTooFar)),
-      count(faces) };
-  }
-
   /// The samples with those added around far faces, again and again where faces are still far, that leave the fewest by
-  /// the balls around them.
+  /// the balls around them; in each spot on its own, as others don't reach it.
   BoundarySamples addAround(const std::vector<FarFace>& faces, const PolarBalls& balls,
     const BoundarySamples& samples, const Execution& execution) const
   {
     constexpr int rounds = 12; // most places are right after one or two
     // Samples as even as they can be; but some places need one that is nearer to others. Measured on 6 meshes.
     constexpr std::array<double, 3> aparts{ 0.2, 0.1, 0.05 };
-    BoundarySamples best = samples, tried = samples;
-    std::vector<FarFace> left = faces;
-    std::array<Index, 2> least = badness(faces);
-    for (int round = 0; round < rounds && !left.empty(); ++round)
+    FarSpots spots(faces, wanted, reach);
+    for (int round = 0; round < rounds; ++round)
     {
-      const double apart = aparts[round % aparts.size()];
-      if (this->sampler.add(placesOf(left), tried, apart) == 0)
+      const std::vector<FarFace> unsolved = spots.unsolved();
+      if (unsolved.empty())
       {
-        if (apart == aparts.back())
-        {
-          break; // nor is there room for one farther from others
-        }
-        continue;
+        break;
       }
-      left = this->farFacesAround(left, balls, tried, execution);
-      if (badness(left) < least)
-      {
-        least = badness(left);
-        best = tried;
-      }
+      BoundarySamples tried = spots.with(samples, &FarSpot::tried);
+      const Index before = count(tried.points);
+      this->sampler.add(placesOf(spots.left()), tried, aparts[round % aparts.size()]);
+      spots.add(tried, before);
+      spots.judge(this->farFacesAround(unsolved, balls, tried, execution));
     }
-    return best;
+    return spots.with(samples, &FarSpot::best);
   }
 
   /// The far faces next to those that were far.
@@ -128,13 +112,13 @@ private:
   std::vector<FarFace> farFacesAround(const std::vector<FarFace>& faces, const PolarBalls& balls,
     const BoundarySamples& samples, const Execution& execution) const
   {
-    constexpr double next = 3, around = 8; // spacings
+    constexpr double next = 3; // spacings
     const std::vector<Point> all = positions(samples.points);
     const Neighbors neighbors(all);
     std::vector<Index> core;
     for (const FarFace& face : faces)
     {
-      const std::vector<Index> near = neighbors.within(face.place, around * face.spacing);
+      const std::vector<Index> near = neighbors.within(face.place, reach * face.spacing);
       core.insert(core.end(), near.begin(), near.end());
     }
     sortUnique(core);

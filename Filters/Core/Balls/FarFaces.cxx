@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -88,6 +89,15 @@ public:
     , spacings(meanDistances(theBalls.samples, this->neighbors, execution))
     , frame(frameOf(theBalls.samples))
   {
+    constexpr int divisions = 6;
+    for (int i = 1; i <= divisions; ++i)
+    {
+      for (int k = 0; k < i; ++k)
+      {
+        this->many.push_back(
+          { 1 - i / double(divisions), (i - k) / double(divisions), k / double(divisions) });
+      }
+    }
   }
 
   /// The farthest of some places on the face between two balls, if it is too far.
@@ -95,29 +105,14 @@ public:
   std::optional<FarFace> farthest(const Lists<EdgeCell>::View& cells) const
   {
     const Edge& edge = cells[0].first;
-    std::vector<Point> corners;
-    corners.reserve(cells.size());
-    Point middle = Point::Zero();
-    for (const auto& [same, c] : cells)
-    {
-      corners.push_back(this->vertex(this->balls.triangulation.cells[c]));
-      middle += corners.back() / cells.size();
-    }
+    const Fan face = this->fanOf(edge, cells);
     const std::vector<Index> around = this->samplesOf(edge);
-    const Index nearest = *std::min_element(around.begin(), around.end(), [&](Index a, Index b) {
-      return this->squaredDistance(middle, a) < this->squaredDistance(middle, b);
-    });
-    // Samples and their triangles tell of most places that they are near enough, at less cost.
-    constexpr double less = 0.6; // so much at least is the spacing at the place itself
-    const double enough = less * this->most * this->spacings[nearest];
-    std::optional<FarFace> result = this->farPlace(middle, around, enough);
-    for (const Point& place : this->placesOf(edge, corners, middle))
+    // More places only where few of them tell that it may be worth it.
+    constexpr double nearly = 0.8;
+    std::optional<FarFace> result = this->farthest(face, this->few, around, nearly * this->most);
+    if (result)
     {
-      const auto far = this->farPlace(place, around, enough);
-      if (far && (!result || far->distance > result->distance))
-      {
-        result = far;
-      }
+      result = this->farthest(face, this->many, around, this->most);
     }
     return result;
   }
@@ -135,29 +130,66 @@ private:
       powerCenter({ ball(0), ball(1), ball(2), ball(3) }, constructionError));
   }
 
-  /// Places all over the face between two balls, but for its middle.
-  std::vector<Point> placesOf(
-    const Edge& edge, const std::vector<Point>& corners, const Point& middle) const
+  /// In each triangle of a face: shares of its corners, the middle of the face first.
+  using Places = std::vector<std::array<double, 3>>;
+
+  /// The face between two balls: triangles around its middle.
+  struct Fan
   {
+    Point middle = Point::Zero();
+    std::vector<Point> corners; ///< in order around it
+  };
+
+  Fan fanOf(const Edge& edge, const Lists<EdgeCell>::View& cells) const
+  {
+    Fan result;
+    std::vector<Point> corners;
+    corners.reserve(cells.size());
+    for (const auto& [same, c] : cells)
+    {
+      corners.push_back(this->vertex(this->balls.triangulation.cells[c]));
+      result.middle += corners.back() / cells.size();
+    }
     const Point across = this->balls.balls[edge[1]].center - this->balls.balls[edge[0]].center;
     const Point u = across.unitOrthogonal(), v = across.cross(u).normalized();
-    std::vector<std::pair<double, Point>> around; // by angle
-    around.reserve(corners.size());
+    std::vector<std::pair<double, Index>> order; // by angle
+    order.reserve(corners.size());
     for (const Point& p : corners)
     {
-      around.emplace_back(std::atan2((p - middle).dot(v), (p - middle).dot(u)), p);
+      order.emplace_back(
+        std::atan2((p - result.middle).dot(v), (p - result.middle).dot(u)), count(order));
     }
-    std::sort(
-      around.begin(), around.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<Point> result;
-    result.reserve(4 * around.size());
-    for (std::size_t i = 0; i < around.size(); ++i)
+    std::sort(order.begin(), order.end());
+    for (const auto& [angle, i] : order)
     {
-      const Point &corner = around[i].second, &next = around[(i + 1) % around.size()].second;
-      result.push_back(corner);
-      result.emplace_back((corner + 2 * middle) / 3);
-      result.emplace_back((2 * corner + middle) / 3);
-      result.emplace_back((corner + next) / 2);
+      result.corners.push_back(corners[i]);
+    }
+    return result;
+  }
+
+  /// @param around  samples of the balls
+  std::optional<FarFace> farthest(
+    const Fan& face, const Places& places, const std::vector<Index>& around, double least) const
+  {
+    const Index nearest = this->nearestOf(around, face.middle);
+    // Samples and their triangles tell of most places that they are near enough, at less cost.
+    constexpr double less = 0.6; // so much at least is the spacing at the place itself
+    const double enough = less * least * this->spacings[nearest];
+    std::optional<FarFace> result = this->farPlace(face.middle, around, enough, least);
+    const auto look = [&](const Point& place) {
+      const auto far = this->farPlace(place, around, enough, least);
+      if (far && (!result || far->distance > result->distance))
+      {
+        result = far;
+      }
+    };
+    for (std::size_t i = 0; i < face.corners.size(); ++i)
+    {
+      const Point &corner = face.corners[i], &next = face.corners[(i + 1) % face.corners.size()];
+      for (const std::array<double, 3>& share : places)
+      {
+        look(share[0] * face.middle + share[1] * corner + share[2] * next);
+      }
     }
     return result;
   }
@@ -178,26 +210,37 @@ private:
     return (this->balls.samples[sample] - place).squaredNorm();
   }
 
+  Index nearestOf(const std::vector<Index>& someSamples, const Point& place) const
+  {
+    return *std::min_element(someSamples.begin(), someSamples.end(), [&](Index a, Index b) {
+      return this->squaredDistance(place, a) < this->squaredDistance(place, b);
+    });
+  }
+
   /// How far a place is from the samples around, or from their triangles, if that is less; any distance below `enough`
   /// will do.
   double distanceFrom(const std::vector<Index>& around, const Point& place, double enough) const
   {
-    const auto isAt = [&](Index s) { return this->squaredDistance(place, s) < enough * enough; };
-    if (std::any_of(around.begin(), around.end(), isAt))
+    const Index nearest = this->nearestOf(around, place); // most often its triangle is near enough
+    if (this->squaredDistance(place, nearest) < enough * enough)
     {
       return 0;
     }
-    double result = std::numeric_limits<double>::infinity();
+    const auto toTriangle = [&](Index s) {
+      return this->solid.distance(place, this->samples[s].triangle);
+    };
+    double result = toTriangle(nearest);
     for (std::size_t i = 0; i < around.size() && result >= enough; ++i)
     {
-      result = std::min(result, this->solid.distance(place, this->samples[around[i]].triangle));
+      result = std::min(result, toTriangle(around[i]));
     }
     return result;
   }
 
   /// @param enough  nearer is near enough by the samples around
+  /// @param least   of the distances that count, in spacings
   std::optional<FarFace> farPlace(
-    const Point& place, const std::vector<Index>& around, double enough) const
+    const Point& place, const std::vector<Index>& around, double enough, double least) const
   {
     const double atMost = this->distanceFrom(around, place, enough);
     if (atMost < enough)
@@ -211,12 +254,14 @@ private:
     }
     const double here = this->spacings[nearest];
     constexpr double rounding = 1e-9;
-    if (atMost < (1 - rounding) * this->most * here)
+    if (atMost < (1 - rounding) * least * here)
     {
       return {};
     }
-    const double distance = (this->solid.nearest(place).point - place).norm() / here;
-    return distance > this->most && !(this->isLeftOut && this->isLeftOut(place, here))
+    const SurfacePoint& sample = this->samples[nearest];
+    const SurfaceTree::Place known{ sample.position, sample.triangle };
+    const double distance = (this->solid.nearest(place, known).point - place).norm() / here;
+    return distance > least && !(this->isLeftOut && this->isLeftOut(place, here))
       ? FarFace{ place, distance, here }
       : std::optional<FarFace>();
   }
@@ -229,6 +274,8 @@ private:
   Neighbors neighbors;
   std::vector<double> spacings; ///< at the samples
   Frame frame;
+  Places few{ { 0, 1, 0 }, { 2 / 3.0, 1 / 3.0, 0 }, { 0, 0.5, 0.5 }, { 0.5, 0.25, 0.25 } };
+  Places many;
 };
 }
 

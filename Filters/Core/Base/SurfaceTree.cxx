@@ -61,8 +61,13 @@ std::vector<Mesh::Face_index> facesWithArea(
   return result;
 }
 
-/// The triangle that a way meets first, for a traversal of the tree. Most boxes and triangles are not even next to
-/// the box of a short way; that is told at less cost than whether the way meets them.
+double distance(const Kernel::Point_3& point, const Kernel::Triangle_3& triangle)
+{
+  return std::sqrt(CGAL::squared_distance(point, triangle));
+}
+
+/// The triangle that a way meets first, for a traversal of the tree. Doubles tell of most boxes and triangles that the
+/// way is not next to them, at less cost than whether it meets them. A triangle that is met shortens it.
 class FirstMet
 {
 public:
@@ -70,9 +75,9 @@ public:
     : mesh(theMesh)
     , traits(tree.traits())
     , way(theWay)
-    , around(theWay.bbox())
     , skipped(theSkipped)
   {
+    this->look(theWay.target());
   }
 
   // What CGAL's traversal calls. NOLINTBEGIN(readability-identifier-naming)
@@ -80,14 +85,13 @@ public:
   template <typename Node>
   bool do_intersect(const Segment&, const Node& node) const
   {
-    return CGAL::do_overlap(this->around, node.bbox()) &&
-      this->traits.do_intersect_object()(this->way, node.bbox());
+    return this->isNextTo(node.bbox());
   }
   // NOLINTEND(readability-identifier-naming)
   void intersection(const Segment&, const Primitive& primitive)
   {
     const auto triangle = static_cast<Index>(primitive.id().idx());
-    if (triangle == this->skipped || !this->isNextTo(triangle))
+    if (triangle == this->skipped || !this->isNextTo(this->boxOf(triangle)))
     {
       return;
     }
@@ -110,12 +114,42 @@ public:
   std::optional<SurfaceTree::Place> result;
 
 private:
-  bool isNextTo(Index triangle) const
+  /// Looks for triangles from where the way begins to here.
+  void look(const Kernel::Point_3& to)
+  {
+    const Point begin = fromKernel(this->way.source()), end = fromKernel(to);
+    this->middle = (begin + end) / 2;
+    this->half = (end - begin).cwiseAbs() / 2;
+    this->along = (end - begin) / 2;
+    constexpr double rounding = 1e-14; // of coordinates; more than what the sums below lose
+    this->slack = rounding * (begin.cwiseAbs() + end.cwiseAbs()).sum();
+  }
+
+  CGAL::Bbox_3 boxOf(Index triangle) const
   {
     const auto corner = [&](int k) {
       return this->mesh.point(Mesh::Vertex_index(3 * triangle + k)).bbox();
     };
-    return CGAL::do_overlap(this->around, corner(0) + corner(1) + corner(2));
+    return corner(0) + corner(1) + corner(2);
+  }
+
+  /// Is there no axis, of the box or across it and the way, that separates them? Yes in doubt.
+  bool isNextTo(const CGAL::Bbox_3& box) const
+  {
+    const Point low(box.xmin(), box.ymin(), box.zmin()), high(box.xmax(), box.ymax(), box.zmax());
+    const Point size = (high - low) / 2, between = (high + low) / 2 - this->middle;
+    constexpr double rounding = 1e-14;
+    const double lost = this->slack + rounding * (low.cwiseAbs() + high.cwiseAbs()).sum();
+    const Point reach = size + Point::Constant(lost);
+    if ((between.cwiseAbs().array() > (reach + this->half).array()).any())
+    {
+      return false;
+    }
+    const auto separates = [&](int i, int k) {
+      return std::abs(between[i] * this->along[k] - between[k] * this->along[i]) >
+        reach[i] * this->half[k] + reach[k] * this->half[i];
+    };
+    return !separates(0, 1) && !separates(1, 2) && !separates(2, 0);
   }
 
   void meet(const Kernel::Point_3& point, Index triangle)
@@ -125,13 +159,15 @@ private:
     {
       this->least = squared;
       this->result = SurfaceTree::Place{ fromKernel(point), triangle };
+      this->look(point);
     }
   }
 
   const Mesh& mesh;
   const Tree::AABB_traits& traits;
   Segment way;
-  CGAL::Bbox_3 around;
+  Point middle, half, along; ///< of the way up to the nearest triangle so far; `half` without signs
+  double slack;              ///< what rounding may hide
   Index skipped;
   double least =
     std::numeric_limits<double>::infinity(); ///< squared distance from where the way begins
@@ -150,6 +186,12 @@ struct SurfaceTree::Implementation
     this->tree.accelerate_distance_queries();
   }
 
+  Kernel::Triangle_3 triangle(Index number) const
+  {
+    const auto corner = [&](int k) { return this->mesh.point(Mesh::Vertex_index(3 * number + k)); };
+    return { corner(0), corner(1), corner(2) };
+  }
+
   Mesh mesh;
   std::vector<Mesh::Face_index> faces;
   Tree tree;
@@ -158,8 +200,7 @@ struct SurfaceTree::Implementation
 
 double distanceToTriangle(const Point& point, const Point& a, const Point& b, const Point& c)
 {
-  const Kernel::Triangle_3 triangle(toKernel(a), toKernel(b), toKernel(c));
-  return std::sqrt(CGAL::squared_distance(toKernel(point), triangle));
+  return distance(toKernel(point), { toKernel(a), toKernel(b), toKernel(c) });
 }
 
 SurfaceTree::SurfaceTree(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
@@ -170,19 +211,18 @@ SurfaceTree::SurfaceTree(const std::vector<Point>& points, const std::vector<Tri
 SurfaceTree::SurfaceTree(SurfaceTree&& other) noexcept = default;
 SurfaceTree::~SurfaceTree() = default;
 
-SurfaceTree::Place SurfaceTree::nearest(const Point& point) const
+SurfaceTree::Place SurfaceTree::nearest(const Point& point, const std::optional<Place>& near) const
 {
-  const auto found = this->implementation->tree.closest_point_and_primitive(toKernel(point));
+  const Tree& tree = this->implementation->tree;
+  const auto found = near ? tree.closest_point_and_primitive(toKernel(point),
+                              { toKernel(near->point), Mesh::Face_index(near->triangle) })
+                          : tree.closest_point_and_primitive(toKernel(point));
   return { fromKernel(found.first), static_cast<Index>(found.second.idx()) };
 }
 
 double SurfaceTree::distance(const Point& point, Index triangle) const
 {
-  const Mesh& mesh = this->implementation->mesh;
-  const auto corner = [&](int k) {
-    return fromKernel(mesh.point(Mesh::Vertex_index(3 * triangle + k)));
-  };
-  return distanceToTriangle(point, corner(0), corner(1), corner(2));
+  return medial::distance(toKernel(point), this->implementation->triangle(triangle));
 }
 
 std::optional<SurfaceTree::Place> SurfaceTree::firstMet(

@@ -32,7 +32,8 @@ public:
   };
 
   /// The point of the surface that is nearest to `point`.
-  Place nearest(const Point& point) const;
+  /// @param near  one that is not much farther, if it is known: then this takes less time
+  Place nearest(const Point& point, const std::optional<Place>& near = {}) const;
 
   /// How far a point is from one triangle, an area or not.
   double distance(const Point& point, Index triangle) const;
