@@ -118,12 +118,13 @@ public:
   ///@{
   /**
    * The schedule in words, one for each iteration: a letter for the measure and the threshold, such as
-   * "t5 t5 h0.5s", the default: twice parts of at most 5 triangles, then parts without which the solid
-   * recedes by at most half a sample spacing. GetMeasureWord tells the word of each measure. Volumes are
-   * in per cent (v1%). Lengths are in the unit of the samples (r0.5), in mean sample spacings (r2s), or
-   * in per cent of the diagonal of the samples' bounding box (r2%). x and a number at the end of a word
-   * limit its passes: t5x1. No words: no iterations. The name of a preset stands for its words, see
-   * GetPresetName.
+   * "t5 t5 h0.5s a2s", the default: twice parts of at most 5 triangles, then parts without which the
+   * solid recedes by at most half a sample spacing, then parts of at most two square spacings.
+   * GetMeasureWord tells the word of each measure. Volumes are in per cent (v1%). Lengths are in the unit
+   * of the samples (r0.5), in mean sample spacings (r2s), or in per cent of the diagonal of the samples'
+   * bounding box (r2%); areas in the square of the unit (a0.5) or of the spacing (a2s). x and a number at
+   * the end of a word limit its passes: t5x1. No words: no iterations. The name of a preset stands for
+   * its words, see GetPresetName.
    * A word that can't be read is an error, here and whenever the filter runs by this schedule.
    * GetScheduleWords returns words that give the same schedule again.
    */
@@ -176,7 +177,8 @@ public:
   ///@{
   /**
    * The same from what people type: a threshold such as 0.05 or 5e-2, a whole number of passes. The
-   * threshold of a length may end with s or %: 1s is one mean sample spacing, 2% is of the diagonal.
+   * threshold of a length may end with s or %: 1s is one mean sample spacing, 2% is of the diagonal; that
+   * of an area with s: 2s is two square spacings.
    * Other texts, such as "0,05" or none, are an error; they are never taken for another number.
    * GetIterationFault tells, without an iteration, what is wrong with one in three texts; "": nothing.
    */

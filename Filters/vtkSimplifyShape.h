@@ -76,7 +76,7 @@ public:
 
   ///@{
   /**
-   * The schedule of vtkMedialPrune, with the same default, "t5 t5 h0.5s", and the same presets. If a word or a measure can't be
+   * The schedule of vtkMedialPrune, with the same default, "t5 t5 h0.5s a2s", and the same presets. If a word or a measure can't be
    * used, GetErrorMessage() tells why at once, and the filter fails when it runs.
    */
   void SetSchedule(const char* words);

@@ -75,7 +75,7 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
               sampled if it bounds a solid. An image is a vtkImageData, or an array with 3 dimensions:
               voxels [i, j, k] along x, y and z
     schedule  what pruning removes: "noise", "details", "features", "skeleton" or "paper"; or words like
-              "t5 t5 h0.5s", see vtkMedialPrune; or iterations (measure, threshold) or (measure, threshold,
+              "t5 t5 h0.5s a2s", see vtkMedialPrune; or iterations (measure, threshold) or (measure, threshold,
               passes), where measure is a name like "RelativeVolume"; None: the default, "noise"
     progress  is called from time to time with how much is done, 0 ... 1, on the thread that called
               simplify; where it returns False, the work stops and Stopped is raised. What it raises

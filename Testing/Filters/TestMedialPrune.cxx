@@ -135,29 +135,31 @@ TEST(MedialPrune, KeepsTheArraysOfACellWithIt)
 TEST(MedialPrune, HasTheDefaultScheduleOfItsHeader)
 {
   vtkNew<vtkMedialPrune> filter;
-  ASSERT_EQ(filter->GetNumberOfIterations(), 3);
+  ASSERT_EQ(filter->GetNumberOfIterations(), 4);
   const int measures[] = { vtkMedialPrune::TRIANGLE_COUNT, vtkMedialPrune::TRIANGLE_COUNT,
-    vtkMedialPrune::HAUSDORFF_DISTANCE };
-  const double thresholds[] = { 5, 5, 0.5 };
-  for (int i = 0; i < 3; ++i)
+    vtkMedialPrune::HAUSDORFF_DISTANCE, vtkMedialPrune::AREA };
+  const double thresholds[] = { 5, 5, 0.5, 2 };
+  for (int i = 0; i < 4; ++i)
   {
     EXPECT_EQ(filter->GetIterationMeasure(i), measures[i]);
     EXPECT_EQ(filter->GetIterationThreshold(i), thresholds[i]);
     EXPECT_EQ(filter->GetIterationPasses(i), 0);
   }
-  EXPECT_EQ(filter->GetIterationThreshold(3), 0);
+  EXPECT_EQ(filter->GetIterationThreshold(4), 0);
   EXPECT_EQ(filter->GetIterationThreshold(-1), 0);
 }
 
 TEST(MedialPrune, TellsItsScheduleInTheHistory)
 {
   vtkTable* rows = history(boxPipeline().prune);
-  ASSERT_EQ(rows->GetNumberOfRows(), 3);
+  ASSERT_EQ(rows->GetNumberOfRows(), 4);
+  const double spacing = field(boxPipeline().axis->GetOutput(), "SampleSpacing");
   EXPECT_EQ(rows->GetValueByName(0, "Measure").ToInt(), vtkMedialPrune::TRIANGLE_COUNT);
   EXPECT_EQ(rows->GetValueByName(0, "Threshold").ToDouble(), 5);
   EXPECT_EQ(rows->GetValueByName(2, "Measure").ToInt(), vtkMedialPrune::HAUSDORFF_DISTANCE);
-  EXPECT_EQ(rows->GetValueByName(2, "Threshold").ToDouble(),
-    0.5 * field(boxPipeline().axis->GetOutput(), "SampleSpacing"));
+  EXPECT_EQ(rows->GetValueByName(2, "Threshold").ToDouble(), 0.5 * spacing);
+  EXPECT_EQ(rows->GetValueByName(3, "Measure").ToInt(), vtkMedialPrune::AREA);
+  EXPECT_EQ(rows->GetValueByName(3, "Threshold").ToDouble(), 2 * (spacing * spacing));
   for (vtkIdType i = 0; i < 3; ++i)
   {
     EXPECT_EQ(rows->GetValueByName(i, "Iteration").ToInt(), i);
@@ -203,7 +205,7 @@ TEST(MedialPrune, GoesOnWhereItStopped)
   first->AddIteration(vtkMedialPrune::TRIANGLE_COUNT, 5);
   vtkNew<vtkMedialPrune> second;
   second->SetInputConnection(first->GetOutputPort());
-  second->SetSchedule("h0.5s"); // what the default ends with
+  second->SetSchedule("h0.5s a2s"); // what the default ends with
   second->Update();
   const auto resumed = filterTest::copy<vtkPolyData>(second->GetOutput());
   const auto begun = first->GetOutput()->GetCellData()->GetArray("InputCell");
@@ -248,7 +250,7 @@ TEST(MedialPrune, DescribesItsProperties)
 {
   std::ostringstream text;
   boxPipeline().prune->Print(text);
-  for (const char* word : { "Schedule: t5 t5 h0.5s", "Topology: COLLAPSE", "RemoveHair: on",
+  for (const char* word : { "Schedule: t5 t5 h0.5s a2s", "Topology: COLLAPSE", "RemoveHair: on",
          "RemoveBranches: on", "PartsToRemove: 0", "CellsToRemove: 0", "PartsToProtect: 0",
          "CellsToProtect: 0", "SelectionRole: REMOVE", "VerifyTopology: off" })
   {

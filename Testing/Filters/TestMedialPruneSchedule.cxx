@@ -88,9 +88,9 @@ TEST(MedialPrune, TakesASchedulesName)
 TEST(MedialPrune, TakesAScheduleInWords)
 {
   vtkNew<vtkMedialPrune> prune;
-  EXPECT_EQ(prune->GetScheduleWords(), "t5 t5 h0.5s");
+  EXPECT_EQ(prune->GetScheduleWords(), "t5 t5 h0.5s a2s");
   const vtkMTimeType before = prune->GetMTime();
-  prune->SetSchedule("t5, t5 h0.5s");
+  prune->SetSchedule("t5, t5 h0.5s a2s");
   EXPECT_EQ(prune->GetMTime(), before);
   prune->SetSchedule("a0.5x2 r3%");
   EXPECT_GT(prune->GetMTime(), before);

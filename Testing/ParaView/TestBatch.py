@@ -56,7 +56,7 @@ class Batch(unittest.TestCase):
     def test_takes_the_schedule_as_rows(self):
         self.assertEqual(list(self.chain.prune.Schedule),
                          ["TriangleCount", "5", "0", "TriangleCount", "5", "0", "HausdorffDistance",
-                          "0.5s", "0"])
+                          "0.5s", "0", "Area", "2s", "0"])
         self.chain.prune.Schedule = ["TriangleCount", "7", "1", "RelativeVolume", "0.25", "0"]
         self.chain.prune.UpdatePipeline()
         history = servermanager.Fetch(self.chain.prune, idx=1)

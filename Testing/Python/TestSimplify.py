@@ -73,7 +73,7 @@ class Simplify(unittest.TestCase):
     def test_takes_lists_and_the_default_schedule(self):
         listed = simplify(ellipsoid(400).tolist())
         spacing, = arrays(listed.surface)["SampleSpacing"]
-        self.assertEqual(arrays(listed.history)["Threshold"].tolist(), [5, 5, spacing / 2])
+        self.assertEqual(arrays(listed.history)["Threshold"].tolist(), [5, 5, spacing / 2, 2 * spacing ** 2])
 
     def test_trims_the_axis(self):
         whole, trimmed = simplify(ellipsoid(), ""), simplify(ellipsoid(), "", trim=0.5)

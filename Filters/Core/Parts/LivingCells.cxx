@@ -143,6 +143,20 @@ void LivingCells::keepOpen(std::vector<Index>& edges, PairLengths& lengths)
   edges.erase(std::remove_if(edges.begin(), edges.end(), isSettled), edges.end());
 }
 
+void LivingCells::groupsAtEdge(Index edge, std::vector<Index>& result)
+{
+  result.clear();
+  for (const Index t : this->edges.triangles[edge])
+  {
+    const Index cell = this->cells.firstTriangle() + t;
+    if (this->living[cell])
+    {
+      result.push_back(this->groups.find(cell));
+    }
+  }
+  sortUnique(result);
+}
+
 void LivingCells::addSeams(PairLengths& lengths)
 {
   std::vector<Index> met;
@@ -152,16 +166,7 @@ void LivingCells::addSeams(PairLengths& lengths)
     {
       continue;
     }
-    met.clear();
-    for (const Index t : this->edges.triangles[e])
-    {
-      const Index cell = this->cells.firstTriangle() + t;
-      if (this->living[cell])
-      {
-        met.push_back(this->groups.find(cell));
-      }
-    }
-    sortUnique(met);
+    this->groupsAtEdge(e, met);
     for (std::size_t i = 0; i < met.size(); ++i)
     {
       for (std::size_t j = 0; j < i; ++j)
@@ -199,6 +204,63 @@ void LivingCells::joinAcross(std::vector<Index> edges)
   }
   sortUnique(edges);
   this->notches = std::move(edges);
+}
+
+std::vector<char> LivingCells::findScraps()
+{
+  std::vector<Index> surplus(this->living.size(), 0); // of triangles over edges at contacts
+  for (Index cell = this->cells.firstTriangle(); cell < this->cells.size(); ++cell)
+  {
+    if (!this->living[cell])
+    {
+      continue;
+    }
+    Index& own = surplus[this->groups.find(cell)];
+    ++own;
+    for (const Index e : this->edges.ofTriangle[cell - this->cells.firstTriangle()])
+    {
+      own += this->atEdge[e] == 1 ? this->cells.size() : 0; // never a scrap
+      own -= this->isContact(e);
+    }
+  }
+  std::vector<char> result(surplus.size(), 0);
+  std::transform(surplus.begin(), surplus.end(), result.begin(), [](Index s) { return s <= 0; });
+  return result;
+}
+
+void LivingCells::joinScraps()
+{
+  const std::vector<char> isScrap = this->findScraps();
+  std::map<std::array<Index, 2>, Index> contacts; // a scrap, a neighbor; in edges
+  std::vector<Index> met;
+  for (Index e = 0; e < count(this->atEdge); ++e)
+  {
+    if (!this->isContact(e))
+    {
+      continue;
+    }
+    this->groupsAtEdge(e, met);
+    for (const Index scrap : met)
+    {
+      for (const Index other : met)
+      {
+        if (isScrap[scrap] && !isScrap[other] && this->mayJoin(scrap, other))
+        {
+          ++contacts[{ scrap, other }];
+        }
+      }
+    }
+  }
+  std::map<Index, std::pair<Index, Index>> longest; // of each scrap; and with whom
+  for (const auto& [pair, length] : contacts)
+  {
+    auto& found = longest[pair[0]];
+    found = length > found.first ? std::pair(length, pair[1]) : found;
+  }
+  for (const auto& [scrap, contact] : longest)
+  {
+    this->groups.unite(scrap, contact.second);
+  }
 }
 
 bool LivingCells::mayJoin(Index first, Index second) const

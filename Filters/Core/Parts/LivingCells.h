@@ -61,6 +61,11 @@ public:
   /// and nothing else. Linear in the number of edges where notches are, else in what has changed.
   void join();
 
+  /// Joins scraps to the neighbor with the longest contact: groups without a free edge, with no more triangles than edges
+  /// at contacts, so that a patch has one point inside at most. Seams between real sheets leave them where they zigzag.
+  /// Linear in the number of cells.
+  void joinScraps();
+
   /// The lowest cell of the group.
   Index groupOf(Index cell) { return this->groups.find(cell); }
 
@@ -84,10 +89,16 @@ private:
   /// Drops edges that don't lie between two groups that may be joined, and adds the others to the lengths.
   void keepOpen(std::vector<Index>& edges, PairLengths& lengths);
 
+  /// The groups of the living triangles at an edge, ascending.
+  void groupsAtEdge(Index edge, std::vector<Index>& result);
+
   /// Adds the edges with other groups to the lengths of the pairs that are known.
   void addSeams(PairLengths& lengths);
 
   void joinAtPoint(Index point);
+
+  /// For each cell that a group is known by: is the group a scrap?
+  std::vector<char> findScraps();
 
   /// Are they of one body?
   bool mayJoin(Index first, Index second) const;

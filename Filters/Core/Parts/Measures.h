@@ -69,8 +69,8 @@ enum class Unit
 {
   Count,  ///< whole number of cells: t5
   Share,  ///< of the solid's volume, 0 ... 1; in per cent: v1%
-  Length, ///< in the samples' unit, or in per cent of the diagonal of their bounding box: r0.5, r2%
-  Area,   ///< in the square of the samples' unit: a0.5
+  Length, ///< in the samples' unit, their mean spacings, or per cent of the diagonal of their bounding box: r0.5, r1s, r2%
+  Area,   ///< in the square of the samples' unit, or of their mean spacing: a0.5, a2s
   Degrees ///< 0 ... 180: o20
 };
 

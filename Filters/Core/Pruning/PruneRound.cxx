@@ -112,6 +112,12 @@ void PruneRounds::remove(
   }
 }
 
+void PruneRounds::joinScraps()
+{
+  this->living.joinScraps();
+  this->current.reset();
+}
+
 void PruneRounds::inherit(PruneRound& round, const std::vector<Index>& removed)
 {
   double sum = 0;

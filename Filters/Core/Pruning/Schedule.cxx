@@ -97,6 +97,11 @@ int takePasses(std::string& word)
   return passes;
 }
 
+bool isLengthOrArea(const MeasureTraits& traits)
+{
+  return traits.unit == Unit::Length || traits.unit == Unit::Area;
+}
+
 /// By the last character of a threshold.
 LengthUnit unitOfLength(char last)
 {
@@ -123,7 +128,7 @@ PruneIteration parseWord(std::string word)
   result.passes = takePasses(word);
   const MeasureTraits& traits = measureOf(word.front());
   const bool isPercent = word.back() == '%';
-  const bool isSpacings = word.back() == 's' && traits.unit == Unit::Length;
+  const bool isSpacings = word.back() == 's' && isLengthOrArea(traits);
   const std::string digits = word.substr(1, word.size() - (isPercent || isSpacings ? 2 : 1));
   if (digits.empty())
   {
@@ -140,7 +145,7 @@ PruneIteration parseWord(std::string word)
   }
   result.measure = traits.measure;
   result.threshold = parseDecimal(digits, isPercent);
-  if (traits.unit == Unit::Length)
+  if (isLengthOrArea(traits))
   {
     result.lengthUnit = unitOfLength(word.back());
   }
@@ -225,7 +230,8 @@ bool operator==(const PruneIteration& a, const PruneIteration& b)
 const std::vector<SchedulePreset>& schedulePresets()
 {
   static const std::vector<SchedulePreset> all{
-    { "noise", "t5 t5 h0.5s", "slivers, and what is at most half a sample spacing high" },
+    { "noise", "t5 t5 h0.5s a2s",
+      "slivers, and what is at most half a sample spacing high or two square spacings large" },
     { "details", "t5 t5 h0.5s h1%", "also what is at most 1 % of the diagonal high" },
     { "features", "t5 t5 h0.5s h5%", "also what is at most 5 % of the diagonal high" },
     { "skeleton", "t5 t5 h100% h100%", "all parts but those that hold pieces, tunnels and voids" },
@@ -265,9 +271,10 @@ std::vector<PruneIteration> parseSchedule(const std::string& words)
       }
       throw InvalidInput("word ", schedule.size() + 1, " of the schedule, '", word,
         "', is not an iteration: ", fault.text, "; words are ", patterns,
-        ", as in \"t5 t5 v1%\"; lengths X may end with s (sample spacings) or % (of the diagonal); "
-        "or ",
-        "give the one word ", presetNames());
+        ", as in \"t5 t5 v1%\"; lengths X may end with s (sample spacings) or % (of the diagonal), "
+        "an "
+        "area with s (square spacings); or give the one word ",
+        presetNames());
     }
   }
   return schedule;
@@ -283,7 +290,9 @@ PruneIteration parseIteration(
   }
   PruneIteration result{ traits->measure, 0, 0 };
   std::string number = withoutBlanks(threshold);
-  if (traits->unit == Unit::Length && !number.empty())
+  const bool mayHaveUnit = traits->unit == Unit::Length ||
+    (traits->unit == Unit::Area && !number.empty() && number.back() == 's');
+  if (mayHaveUnit && !number.empty())
   {
     result.lengthUnit = unitOfLength(number.back());
     number.resize(number.size() - (result.lengthUnit != LengthUnit::Samples ? 1 : 0));
@@ -295,7 +304,8 @@ PruneIteration parseIteration(
       traits->unit == Unit::Share ? "0.05 for 5% of the volume"
         : traits->unit == Unit::Length
         ? "it with a point, as in 2.5, 1.5s (sample spacings) or 2% (of the diagonal)"
-        : "it with a point, as in 2.5");
+        : traits->unit == Unit::Area ? "it with a point, as in 2.5 or 2s (square sample spacings)"
+                                     : "it with a point, as in 2.5");
   }
   if (!isNumber(withoutBlanks(passes), result.passes))
   {

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-/// A schedule is the list of iterations that pruning works through. In words: "t5 t5 h0.5s".
+/// A schedule is the list of iterations that pruning works through. In words: "t5 t5 h0.5s a2s".
 namespace medial
 {
-/// What the threshold of a length is counted in.
+/// What the threshold of a length is counted in, and with its square that of an area.
 enum class LengthUnit
 {
-  Samples,  ///< the unit of the samples' coordinates: h0.5
+  Samples,  ///< the unit of the samples' coordinates: h0.5, a0.5
   Diagonal, ///< the diagonal of the samples' bounding box; in words in per cent: h2%
-  Spacing   ///< the mean spacing of the samples: h1s
+  Spacing   ///< the mean spacing of the samples: h1s, a2s
 };
 
 /// One iteration of a schedule: decompose the axis into parts, measure them, remove the small ones.
@@ -31,7 +31,7 @@ struct PruneIteration
   Measure measure = Measure::TriangleCount;
   double threshold = 5; ///< parts with at most this significance are removed
   int passes = 0;       ///< how often to repeat; 0: until nothing changes (the paper: 1)
-  LengthUnit lengthUnit = LengthUnit::Samples; ///< of a threshold that is a length
+  LengthUnit lengthUnit = LengthUnit::Samples; ///< of a threshold that is a length or an area
 };
 
 bool operator==(const PruneIteration& a, const PruneIteration& b);
@@ -55,8 +55,8 @@ const char* defaultSchedule();
 ///
 /// A word is the letter of a measure, a number, and for some measures a unit: t5 (at most 5 triangles),
 /// v1% (at most one per cent of the volume), r2 (a length in the unit of the samples), r2% (in per cent
-/// of the diagonal of the samples' bounding box), r2s (in mean spacings of the samples). It may end with
-/// the number of passes: t5x1 for one pass, as in the paper; without, passes are repeated until nothing
+/// of the diagonal of the samples' bounding box), r2s (in mean spacings of the samples), a2s (in their square). It may
+/// end with the number of passes: t5x1 for one pass, as in the paper; without, passes are repeated until nothing
 /// changes. The name of a preset stands for its words.
 /// @throw InvalidInput  which word is wrong, what is wrong with it, and how to write it
 std::vector<PruneIteration> parseSchedule(const std::string& words);
@@ -65,7 +65,7 @@ std::vector<PruneIteration> parseSchedule(const std::string& words);
 /// for another number than it shows: "0,05", "5 %" and "" are errors.
 /// @param measure    a name: TriangleCount
 /// @param threshold  a number in the measure's unit, shares 0 ... 1: 5, 0.05 or 5e-2; a length may end
-///                   with s, in spacings, or %, of the diagonal: 1s, 2%
+///                   with s, in spacings, or %, of the diagonal: 1s, 2%; an area with s, in square spacings
 /// @param passes     a whole number; 0: until nothing changes
 /// @throw InvalidInput  which of the three is wrong, and how to write it
 PruneIteration parseIteration(

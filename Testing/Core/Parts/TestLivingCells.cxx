@@ -38,6 +38,37 @@ MedialAxis floorsUnderFins(const std::vector<int>& starts)
   return drawing.axis();
 }
 
+/// A floor, a tube that stands on it, and a lid in the floor that closes the tube below.
+/// @param width  of the tube and the lid, in cells
+MedialAxis floorWithTube(int width)
+{
+  const Point x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const Point low(1, 1, 0), right = low + width * x, behind = low + width * y;
+  Drawing drawing;
+  drawing.sheet(Point::Zero(), x, y, width + 2, 1);
+  drawing.sheet(y, x, y, 1, width);
+  drawing.sheet(right, x, y, 1, width);
+  drawing.sheet((width + 1) * y, x, y, width + 2, 1);
+  drawing.sheet(low, x, y, width, width);
+  drawing.sheet(low, x, z, width, 1);
+  drawing.sheet(low, y, z, width, 1);
+  drawing.sheet(right, y, z, width, 1);
+  drawing.sheet(behind, x, z, width, 1);
+  return drawing.axis();
+}
+
+/// Two walls on a floor, and a shelf between them, whose corners are all on the walls.
+MedialAxis shelf()
+{
+  const Point x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  Drawing drawing;
+  drawing.sheet(Point::Zero(), x, y, 3, 1);
+  drawing.sheet(Point::Zero(), x, z, 3, 2);
+  drawing.sheet(y, x, z, 3, 2);
+  drawing.sheet(x + z, x, y, 1, 1);
+  return drawing.axis();
+}
+
 /// An axis that loses parts.
 class Shrinking
 {
@@ -68,6 +99,12 @@ public:
   void removePartAt(const Point& place)
   {
     this->living.remove(this->partAt(place));
+    this->partition = medial::partition(this->living);
+  }
+
+  void joinScraps()
+  {
+    this->living.joinScraps();
     this->partition = medial::partition(this->living);
   }
 
@@ -112,5 +149,30 @@ TEST(LivingCells, JoinTwoPartsOnceTheNotchHasBecomeLong)
   EXPECT_EQ(floors.parts(), 5); // 3 edges against 37
   floors.removePartAt(Point(1.5, 0, 0.5));
   EXPECT_EQ(floors.parts(), 2); // 6 against 34
+}
+
+TEST(LivingCells, JoinScrapsToTheirNeighbors)
+{
+  for (const int width : { 1, 2 })
+  {
+    Shrinking lid(floorWithTube(width));
+    ASSERT_EQ(lid.parts(), 3);
+    lid.joinScraps();
+    EXPECT_EQ(lid.parts(), 2);
+    EXPECT_EQ(
+      lid.partAt(Point(1.5, 1.5, 0)), lid.partAt(Point(0.5, 0.5, 0))); // the first of equal ones
+  }
+}
+
+TEST(LivingCells, LeaveWhatIsNoScrap)
+{
+  Shrinking withInside(floorWithTube(3)); // the lid has four points that are not on its border
+  ASSERT_EQ(withInside.parts(), 3);
+  withInside.joinScraps();
+  EXPECT_EQ(withInside.parts(), 3);
+  Shrinking withFreeEdges(shelf());
+  ASSERT_EQ(withFreeEdges.parts(), 2);
+  withFreeEdges.joinScraps();
+  EXPECT_EQ(withFreeEdges.parts(), 2);
 }
 }

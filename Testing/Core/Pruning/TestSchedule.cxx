@@ -78,7 +78,9 @@ TEST(Schedule, CountsLengthsInSpacings)
   EXPECT_EQ(parseSchedule("h1s e0.5sx2"),
     (Schedule{ { Measure::HausdorffDistance, 1, 0, LengthUnit::Spacing },
       { Measure::ErosionThickness, 0.5, 2, LengthUnit::Spacing } }));
-  for (const char* word : { "t5s", "v1s", "a2s", "o20s", "hs", "h1%s", "h1ss" })
+  EXPECT_EQ(parseSchedule("a2s"), (Schedule{ { Measure::Area, 2, 0, LengthUnit::Spacing } }));
+  EXPECT_EQ(scheduleWords(parseSchedule("a2s")), "a2s");
+  for (const char* word : { "t5s", "v1s", "a2%", "o20s", "hs", "as", "h1%s", "h1ss" })
   {
     EXPECT_THROW(parseSchedule(word), medial::InvalidInput) << word;
   }
@@ -129,6 +131,10 @@ TEST(Schedule, IsTheSameAfterItWasWrittenAndRead)
     if (traits.unit == Unit::Length)
     {
       iteration.lengthUnit = static_cast<LengthUnit>(random() % 3);
+    }
+    if (traits.unit == Unit::Area && random() % 2 == 0)
+    {
+      iteration.lengthUnit = LengthUnit::Spacing;
     }
     if (traits.unit == Unit::Count)
     {
