@@ -206,31 +206,32 @@ void LivingCells::joinAcross(std::vector<Index> edges)
   this->notches = std::move(edges);
 }
 
-std::vector<char> LivingCells::findScraps()
+std::vector<LivingCells::GroupSize> LivingCells::groupSizes()
 {
-  std::vector<Index> surplus(this->living.size(), 0); // of triangles over edges at contacts
+  std::vector<GroupSize> result(this->living.size());
   for (Index cell = this->cells.firstTriangle(); cell < this->cells.size(); ++cell)
   {
     if (!this->living[cell])
     {
       continue;
     }
-    Index& own = surplus[this->groups.find(cell)];
-    ++own;
+    GroupSize& own = result[this->groups.find(cell)];
+    ++own.triangles;
     for (const Index e : this->edges.ofTriangle[cell - this->cells.firstTriangle()])
     {
-      own += this->atEdge[e] == 1 ? this->cells.size() : 0; // never a scrap
-      own -= this->isContact(e);
+      own.freeEdges += this->atEdge[e] == 1;
+      own.contactEdges += this->isContact(e);
     }
   }
-  std::vector<char> result(surplus.size(), 0);
-  std::transform(surplus.begin(), surplus.end(), result.begin(), [](Index s) { return s <= 0; });
   return result;
 }
 
 void LivingCells::joinScraps()
 {
-  const std::vector<char> isScrap = this->findScraps();
+  const std::vector<GroupSize> sizes = this->groupSizes();
+  const auto isScrap = [&sizes](Index group) {
+    return sizes[group].freeEdges == 0 && sizes[group].triangles <= sizes[group].contactEdges;
+  };
   std::map<std::array<Index, 2>, Index> contacts; // a scrap, a neighbor; in edges
   std::vector<Index> met;
   for (Index e = 0; e < count(this->atEdge); ++e)
@@ -244,22 +245,22 @@ void LivingCells::joinScraps()
     {
       for (const Index other : met)
       {
-        if (isScrap[scrap] && !isScrap[other] && this->mayJoin(scrap, other))
+        if (isScrap(scrap) && !isScrap(other) && this->mayJoin(scrap, other))
         {
           ++contacts[{ scrap, other }];
         }
       }
     }
   }
-  std::map<Index, std::pair<Index, Index>> longest; // of each scrap; and with whom
+  Index last = None;
   for (const auto& [pair, length] : contacts)
   {
-    auto& found = longest[pair[0]];
-    found = length > found.first ? std::pair(length, pair[1]) : found;
-  }
-  for (const auto& [scrap, contact] : longest)
-  {
-    this->groups.unite(scrap, contact.second);
+    const auto [scrap, neighbor] = pair;
+    if (scrap != last && length == sizes[scrap].contactEdges)
+    {
+      this->groups.unite(scrap, neighbor);
+      last = scrap; // to one neighbor only
+    }
   }
 }
 

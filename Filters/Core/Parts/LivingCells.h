@@ -61,9 +61,9 @@ public:
   /// and nothing else. Linear in the number of edges where notches are, else in what has changed.
   void join();
 
-  /// Joins scraps to the neighbor with the longest contact: groups without a free edge, with no more triangles than edges
-  /// at contacts, so that a patch has one point inside at most. Seams between real sheets leave them where they zigzag.
-  /// Linear in the number of cells.
+  /// Joins each scrap to a neighbor that is at all of its border: a group without a free edge, with no more triangles
+  /// than edges at contacts, so that a patch has one point inside at most. Seams between sheets leave scraps
+  /// where they zigzag. Linear in the number of cells.
   void joinScraps();
 
   /// The lowest cell of the group.
@@ -97,8 +97,14 @@ private:
 
   void joinAtPoint(Index point);
 
-  /// For each cell that a group is known by: is the group a scrap?
-  std::vector<char> findScraps();
+  /// How many triangles a group has, and how often these are at an edge without others, or at a contact.
+  struct GroupSize
+  {
+    Index triangles = 0, freeEdges = 0, contactEdges = 0;
+  };
+
+  /// Of each group, by the cell that it is known by.
+  std::vector<GroupSize> groupSizes();
 
   /// Are they of one body?
   bool mayJoin(Index first, Index second) const;

@@ -45,11 +45,11 @@ MedialAxis floorWithTube(int width)
   const Point x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   const Point low(1, 1, 0), right = low + width * x, behind = low + width * y;
   Drawing drawing;
+  drawing.sheet(low, x, y, width, width);
   drawing.sheet(Point::Zero(), x, y, width + 2, 1);
   drawing.sheet(y, x, y, 1, width);
   drawing.sheet(right, x, y, 1, width);
   drawing.sheet((width + 1) * y, x, y, width + 2, 1);
-  drawing.sheet(low, x, y, width, width);
   drawing.sheet(low, x, z, width, 1);
   drawing.sheet(low, y, z, width, 1);
   drawing.sheet(right, y, z, width, 1);
