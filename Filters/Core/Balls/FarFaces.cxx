@@ -78,23 +78,26 @@ class Distances
 {
 public:
   Distances(const PolarBalls& theBalls, const std::vector<SurfacePoint>& theSamples,
-    const SurfaceTree& theSolid, double theMost, const PlaceTest& theLeftOut,
+    const SurfaceTree& theSolid, double most, const PlaceTest& theLeftOut,
     const Execution& execution)
     : balls(theBalls)
     , samples(theSamples)
     , solid(theSolid)
-    , most(theMost)
     , isLeftOut(theLeftOut)
     , neighbors(theBalls.samples)
     , spacings(meanDistances(theBalls.samples, this->neighbors, execution))
     , frame(frameOf(theBalls.samples))
   {
+    constexpr double nearly = 0.8; // of the distance: then more places may be worth it
+    this->quick = { { { 0, 1, 0 }, { 2 / 3.0, 1 / 3.0, 0 }, { 0, 0.5, 0.5 }, { 0.5, 0.25, 0.25 } },
+      nearly * most, 0.5 };
+    this->thorough = { {}, most, 1 };
     constexpr int divisions = 6;
     for (int i = 1; i <= divisions; ++i)
     {
       for (int k = 0; k < i; ++k)
       {
-        this->many.push_back(
+        this->thorough.places.push_back(
           { 1 - i / double(divisions), (i - k) / double(divisions), k / double(divisions) });
       }
     }
@@ -107,14 +110,8 @@ public:
     const Edge& edge = cells[0].first;
     const Fan face = this->fanOf(edge, cells);
     const std::vector<Index> around = this->samplesOf(edge);
-    // More places only where few of them tell that it may be worth it.
-    constexpr double nearly = 0.8;
-    std::optional<FarFace> result = this->farthest(face, this->few, around, nearly * this->most);
-    if (result)
-    {
-      result = this->farthest(face, this->many, around, this->most);
-    }
-    return result;
+    return this->farthest(face, this->quick, around) ? this->farthest(face, this->thorough, around)
+                                                     : std::optional<FarFace>();
   }
 
 private:
@@ -130,8 +127,15 @@ private:
       powerCenter({ ball(0), ball(1), ball(2), ball(3) }, constructionError));
   }
 
-  /// In each triangle of a face: shares of its corners, the middle of the face first.
-  using Places = std::vector<std::array<double, 3>>;
+  /// Where to look on a face, and what to find.
+  struct Look
+  {
+    std::vector<std::array<double, 3>>
+      places;     ///< in each triangle: shares of the face's middle and of its corners
+    double least; ///< distance that counts, in spacings
+    double
+      margin; ///< of the spacing: how much of it the test for places that are left out is given
+  };
 
   /// The face between two balls: triangles around its middle.
   struct Fan
@@ -169,26 +173,24 @@ private:
 
   /// @param around  samples of the balls
   std::optional<FarFace> farthest(
-    const Fan& face, const Places& places, const std::vector<Index>& around, double least) const
+    const Fan& face, const Look& look, const std::vector<Index>& around) const
   {
     const Index nearest = this->nearestOf(around, face.middle);
     // Samples and their triangles tell of most places that they are near enough, at less cost.
     constexpr double less = 0.6; // so much at least is the spacing at the place itself
-    const double enough = less * least * this->spacings[nearest];
-    std::optional<FarFace> result = this->farPlace(face.middle, around, enough, least);
-    const auto look = [&](const Point& place) {
-      const auto far = this->farPlace(place, around, enough, least);
-      if (far && (!result || far->distance > result->distance))
-      {
-        result = far;
-      }
-    };
+    const double enough = less * look.least * this->spacings[nearest];
+    std::optional<FarFace> result = this->farPlace(face.middle, around, enough, look);
     for (std::size_t i = 0; i < face.corners.size(); ++i)
     {
       const Point &corner = face.corners[i], &next = face.corners[(i + 1) % face.corners.size()];
-      for (const std::array<double, 3>& share : places)
+      for (const std::array<double, 3>& share : look.places)
       {
-        look(share[0] * face.middle + share[1] * corner + share[2] * next);
+        const Point place = share[0] * face.middle + share[1] * corner + share[2] * next;
+        const auto far = this->farPlace(place, around, enough, look);
+        if (far && (!result || far->distance > result->distance))
+        {
+          result = far;
+        }
       }
     }
     return result;
@@ -238,9 +240,8 @@ private:
   }
 
   /// @param enough  nearer is near enough by the samples around
-  /// @param least   of the distances that count, in spacings
   std::optional<FarFace> farPlace(
-    const Point& place, const std::vector<Index>& around, double enough, double least) const
+    const Point& place, const std::vector<Index>& around, double enough, const Look& look) const
   {
     const double atMost = this->distanceFrom(around, place, enough);
     if (atMost < enough)
@@ -254,28 +255,26 @@ private:
     }
     const double here = this->spacings[nearest];
     constexpr double rounding = 1e-9;
-    if (atMost < (1 - rounding) * least * here)
+    if (atMost < (1 - rounding) * look.least * here)
     {
       return {};
     }
     const SurfacePoint& sample = this->samples[nearest];
     const SurfaceTree::Place known{ sample.position, sample.triangle };
     const double distance = (this->solid.nearest(place, known).point - place).norm() / here;
-    return distance > least && !(this->isLeftOut && this->isLeftOut(place, here))
-      ? FarFace{ place, distance, here }
-      : std::optional<FarFace>();
+    const bool counts =
+      distance > look.least && !(this->isLeftOut && this->isLeftOut(place, look.margin * here));
+    return counts ? FarFace{ place, distance, here } : std::optional<FarFace>();
   }
 
   const PolarBalls& balls;
   const std::vector<SurfacePoint>& samples;
   const SurfaceTree& solid;
-  double most;
   const PlaceTest& isLeftOut;
   Neighbors neighbors;
   std::vector<double> spacings; ///< at the samples
   Frame frame;
-  Places few{ { 0, 1, 0 }, { 2 / 3.0, 1 / 3.0, 0 }, { 0, 0.5, 0.5 }, { 0.5, 0.25, 0.25 } };
-  Places many;
+  Look quick, thorough;
 };
 }
 

@@ -50,7 +50,7 @@ std::vector<FarFace> FarSpots::unsolved() const
   std::vector<FarFace> result;
   for (Index f = 0; f < count(this->faces); ++f)
   {
-    if (!this->spots[this->spotOfFace[f]].best.left.empty())
+    if (!this->isSolved(this->spots[this->spotOfFace[f]]))
     {
       result.push_back(this->faces[f]);
     }
@@ -63,7 +63,10 @@ std::vector<FarFace> FarSpots::left() const
   std::vector<FarFace> result;
   for (const FarSpot& spot : this->spots)
   {
-    result.insert(result.end(), spot.tried.left.begin(), spot.tried.left.end());
+    if (!this->isSolved(spot))
+    {
+      result.insert(result.end(), spot.tried.left.begin(), spot.tried.left.end());
+    }
   }
   return result;
 }
@@ -100,8 +103,7 @@ void FarSpots::judge(const std::vector<FarFace>& left)
   {
     this->spotAt(face.place).tried.left.push_back(face);
   }
-  constexpr int patience =
-    4; // attempts: not a multiple of those that differ, so that others follow
+  constexpr int patience = 6; // attempts
   for (FarSpot& spot : this->spots)
   {
     if (badness(spot.tried.left, this->wanted) < badness(spot.best.left, this->wanted))
@@ -109,11 +111,16 @@ void FarSpots::judge(const std::vector<FarFace>& left)
       spot.best = spot.tried;
       spot.failures = 0;
     }
-    else if (!spot.best.left.empty() && ++spot.failures % patience == 0)
+    else if (!this->isSolved(spot) && ++spot.failures % patience == 0)
     {
       spot.tried = spot.best;
     }
   }
+}
+
+bool FarSpots::isSolved(const FarSpot& spot) const
+{
+  return badness(spot.best.left, this->wanted)[0] == 0;
 }
 
 FarSpot& FarSpots::spotAt(const Point& place)

@@ -39,10 +39,10 @@ public:
   /// How many faces are farther than wanted, and how many there are.
   static std::array<Index, 2> badness(const std::vector<FarFace>& faces, double wanted);
 
-  /// The faces that were far first, in the spots where some are still far after the best attempt.
+  /// The faces that were there first, in the spots where some are still farther than wanted after the best attempt.
   std::vector<FarFace> unsolved() const;
 
-  /// Those that are far after the last attempts.
+  /// Those of the last attempts in these spots.
   std::vector<FarFace> left() const;
 
   /// The samples and those added by an attempt in each spot.
@@ -56,6 +56,7 @@ public:
   void judge(const std::vector<FarFace>& left);
 
 private:
+  bool isSolved(const FarSpot& spot) const;
   FarSpot& spotAt(const Point& place);
 
   const std::vector<FarFace>& faces;

@@ -64,14 +64,15 @@ TEST(FarSpots, PreferFewFarFacesToFewNearlyFarOnes)
   tryAt(spots, { Point(1, 0, 0) }, {});
   spots.judge({ face(here, 0.45), face(here, 0.45) });
   EXPECT_EQ(bestSpacings(spots).size(), 1);
+  EXPECT_TRUE(spots.unsolved().empty()); // near enough
 }
 
 TEST(FarSpots, BeginAgainFromTheBestWhereOthersDoNotGetThere)
 {
-  const std::vector<FarFace> faces{ face(here) };
+  const std::vector<FarFace> faces{ face(here), face(nextToHere) };
   FarSpots spots(faces, wanted, reach);
   tryAt(spots, { Point(1, 0, 0) }, {});
-  spots.judge({ face(here, 0.45) });
+  spots.judge({ face(here) });
   std::size_t most = 0;
   for (int i = 0; i < 20; ++i)
   {

@@ -124,9 +124,10 @@ TEST(ProvenSamples, DontFollowACrackThatTheyCantResolve)
     const Solid cracked(meshes::blocks({ 0, 1, 1 + width, 2 }, { 0, 1.7, 2 }, { 0, 1.7, 2 },
       [](int i, int j, int k) { return i != 1 || j != 1 || k != 1; }));
     const ProvenSamples made = cracked.samples(withSpacing(spacing), 4);
-    // Nothing but that some samples may come in pairs across it.
+    // Nothing but that some samples may come in pairs across it; the widest one is followed up to its corners.
     EXPECT_LE(made.warnings.size(), 1);
-    EXPECT_TRUE(made.warnings.empty() || made.warnings[0].code == "paired_walls");
+    EXPECT_TRUE(made.warnings.empty() ||
+      made.warnings[0].code == (width > 0.005 ? "far_surface" : "paired_walls"));
     EXPECT_EQ(made.balls.powerShape, (Betti{ 1, 0, 0 }));
     EXPECT_EQ(made.samples.points.size() > 2 * usual, width > 0.005);
     EXPECT_TRUE(width > 0.005 || made.samples.points.size() < 1.1 * usual);
@@ -259,7 +260,7 @@ TEST(ProvenSamples, HaveTheirCrustNearTheSurface)
 TEST(ProvenSamples, TellWhereTheirCrustStaysFarFromTheSurface)
 {
   int told = 0;
-  for (double degrees = 20; degrees < 90; degrees += 5)
+  for (double degrees = 12; degrees < 60; degrees += 2)
   {
     SCOPED_TRACE(testing::Message() << degrees << " degrees");
     const Solid wedge(meshes::wedge(degrees));
