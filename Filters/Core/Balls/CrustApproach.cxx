@@ -16,16 +16,6 @@ namespace medial
 {
 namespace
 {
-constexpr double told = 0.5;           // spacings
-constexpr double wanted = 0.96 * told; // other places of a face may be a little farther
-constexpr double most = 0.9 * wanted;  // nearly as far
-constexpr double reach = 8;            // spacings: the balls there change with a sample
-
-std::array<Index, 2> badness(const std::vector<FarFace>& faces)
-{
-  return FarSpots::badness(faces, wanted);
-}
-
 class CrustApproach
 {
 public:
@@ -76,6 +66,16 @@ public:
   }
 
 private:
+  static constexpr double told = 0.5;           // spacings
+  static constexpr double wanted = 0.96 * told; // other places of a face may be a little farther
+  static constexpr double most = 0.9 * wanted;  // nearly as far
+  static constexpr double reach = 8;            // spacings: the balls there change with a sample
+
+  static std::array<Index, 2> badness(const std::vector<FarFace>& faces)
+  {
+    return FarSpots::badness(faces, wanted);
+  }
+
   std::vector<FarFace> farFacesOf(const PolarBallsAndSamples& made, const BoundarySamples& samples,
     const Execution& execution) const
   {
