@@ -147,8 +147,10 @@ class SimplifyShape(ProgramTest):
 
     def check_iterations(self, report, out):
         rows = report["iterations"]
+        spacing = report["moved"]["spacing"]
         self.assertEqual([(row["measure"], row["threshold"]) for row in rows],
-                         [("triangleCount", 5), ("triangleCount", 5), ("hausdorffDistance", report["moved"]["spacing"] / 2)])
+                         [("triangleCount", 5), ("triangleCount", 5), ("hausdorffDistance", spacing / 2),
+                          ("area", 2 * spacing ** 2)])
         self.assertEqual(rows[0]["partsBefore"], report["parts"])
         for before, after in zip(rows, rows[1:]):
             self.assertEqual(before["partsAfter"], after["partsBefore"])
