@@ -87,7 +87,7 @@ private:
   BoundarySamples addAround(const std::vector<FarFace>& faces, const PolarBalls& balls,
     const BoundarySamples& samples, const Execution& execution) const
   {
-    constexpr int rounds = 15; // most places are right after one or two
+    constexpr int rounds = 24; // most places are right after one or two
     // Samples as even as they can be; but some places need one that is nearer to others. Measured on 6 meshes.
     constexpr std::array<double, 5> aparts{ 0.5, 0.3, 0.2, 0.1, 0.05 };
     FarSpots spots(faces, wanted, reach);

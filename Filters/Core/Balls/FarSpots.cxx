@@ -50,7 +50,7 @@ std::vector<FarFace> FarSpots::unsolved() const
   std::vector<FarFace> result;
   for (Index f = 0; f < count(this->faces); ++f)
   {
-    if (!this->isSolved(this->spots[this->spotOfFace[f]]))
+    if (!isSolved(this->spots[this->spotOfFace[f]]))
     {
       result.push_back(this->faces[f]);
     }
@@ -63,7 +63,7 @@ std::vector<FarFace> FarSpots::left() const
   std::vector<FarFace> result;
   for (const FarSpot& spot : this->spots)
   {
-    if (!this->isSolved(spot))
+    if (!isSolved(spot))
     {
       result.insert(result.end(), spot.tried.left.begin(), spot.tried.left.end());
     }
@@ -103,7 +103,7 @@ void FarSpots::judge(const std::vector<FarFace>& left)
   {
     this->spotAt(face.place).tried.left.push_back(face);
   }
-  constexpr int patience = 6; // attempts
+  constexpr int patience = 4; // attempts
   for (FarSpot& spot : this->spots)
   {
     if (badness(spot.tried.left, this->wanted) < badness(spot.best.left, this->wanted))
@@ -111,16 +111,16 @@ void FarSpots::judge(const std::vector<FarFace>& left)
       spot.best = spot.tried;
       spot.failures = 0;
     }
-    else if (!this->isSolved(spot) && ++spot.failures % patience == 0)
+    else if (!isSolved(spot) && ++spot.failures % patience == 0)
     {
       spot.tried = spot.best;
     }
   }
 }
 
-bool FarSpots::isSolved(const FarSpot& spot) const
+bool FarSpots::isSolved(const FarSpot& spot)
 {
-  return badness(spot.best.left, this->wanted)[0] == 0;
+  return spot.best.left.empty();
 }
 
 FarSpot& FarSpots::spotAt(const Point& place)

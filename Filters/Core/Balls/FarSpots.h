@@ -39,7 +39,7 @@ public:
   /// How many faces are farther than wanted, and how many there are.
   static std::array<Index, 2> badness(const std::vector<FarFace>& faces, double wanted);
 
-  /// The faces that were there first, in the spots where some are still farther than wanted after the best attempt.
+  /// The faces that were there first, in the spots where some are left after the best attempt.
   std::vector<FarFace> unsolved() const;
 
   /// Those of the last attempts in these spots.
@@ -56,7 +56,7 @@ public:
   void judge(const std::vector<FarFace>& left);
 
 private:
-  bool isSolved(const FarSpot& spot) const;
+  static bool isSolved(const FarSpot& spot);
   FarSpot& spotAt(const Point& place);
 
   const std::vector<FarFace>& faces;
