@@ -34,7 +34,7 @@ def main():
         check_equal(field(surface, "BettiCrust"), [1, 0, 0], "BettiCrust")
         history = servermanager.Fetch(chain.prune, idx=1)
         check_equal(column(history, "Threshold")[:2], [5, 5], "Threshold")
-        check_equal(column(history, "Measure"), [0, 0, 9], "Measure")
+        check_equal(column(history, "Measure"), [0, 0, 9, 3], "Measure")
         one = servermanager.Fetch(filters.SimplifyShape(Input=chain.balls.Input))
         check_equal(field(one, "Volume"), field(surface, "Volume"), "Volume")
     finally:
