@@ -100,9 +100,11 @@ private:
       }
       BoundarySamples tried = spots.with(samples, &FarSpot::tried);
       const Index before = count(tried.points);
-      this->sampler.add(placesOf(spots.left()), tried, aparts[round % aparts.size()]);
+      const std::vector<FarFace> left = spots.left();
+      const bool isNew =
+        this->sampler.add(placesOf(left), tried, aparts[round % aparts.size()]) > 0;
       spots.add(tried, before);
-      spots.judge(this->farFacesAround(unsolved, balls, tried, execution));
+      spots.judge(isNew ? this->farFacesAround(unsolved, balls, tried, execution) : left);
     }
     return spots.with(samples, &FarSpot::best);
   }

@@ -73,6 +73,25 @@ Lists<EdgeCell> oddEdges(const PolarBalls& balls)
   return result;
 }
 
+/// Shares of the three corners of a triangle.
+using Shares = std::array<double, 3>;
+
+/// Places all over a triangle, but for its first corner and the side to its third one.
+/// @param divisions  of each side
+std::vector<Shares> grid(int divisions)
+{
+  std::vector<Shares> result;
+  for (int i = 1; i <= divisions; ++i)
+  {
+    for (int k = 0; k < i; ++k)
+    {
+      result.push_back(
+        { 1 - i / double(divisions), (i - k) / double(divisions), k / double(divisions) });
+    }
+  }
+  return result;
+}
+
 /// Measures how far places are from the surface.
 class Distances
 {
@@ -91,16 +110,7 @@ public:
     constexpr double nearly = 0.8; // of the distance: then more places may be worth it
     this->quick = { { { 0, 1, 0 }, { 2 / 3.0, 1 / 3.0, 0 }, { 0, 0.5, 0.5 }, { 0.5, 0.25, 0.25 } },
       nearly * most, 0.5 };
-    this->thorough = { {}, most, 1 };
-    constexpr int divisions = 6;
-    for (int i = 1; i <= divisions; ++i)
-    {
-      for (int k = 0; k < i; ++k)
-      {
-        this->thorough.places.push_back(
-          { 1 - i / double(divisions), (i - k) / double(divisions), k / double(divisions) });
-      }
-    }
+    this->thorough = { grid(6), most, 1 };
   }
 
   /// The farthest of some places on the face between two balls, if it is too far.
@@ -130,11 +140,9 @@ private:
   /// Where to look on a face, and what to find.
   struct Look
   {
-    std::vector<std::array<double, 3>>
-      places;     ///< in each triangle: shares of the face's middle and of its corners
-    double least; ///< distance that counts, in spacings
-    double
-      margin; ///< of the spacing: how much of it the test for places that are left out is given
+    std::vector<Shares> places; ///< in each triangle, whose first corner is the middle of the face
+    double least;               ///< distance that counts, in spacings
+    double margin; ///< so much of the spacing is given to the test for places that are left out
   };
 
   /// The face between two balls: triangles around its middle.
@@ -183,7 +191,7 @@ private:
     for (std::size_t i = 0; i < face.corners.size(); ++i)
     {
       const Point &corner = face.corners[i], &next = face.corners[(i + 1) % face.corners.size()];
-      for (const std::array<double, 3>& share : look.places)
+      for (const Shares& share : look.places)
       {
         const Point place = share[0] * face.middle + share[1] * corner + share[2] * next;
         const auto far = this->farPlace(place, around, enough, look);

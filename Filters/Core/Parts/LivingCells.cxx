@@ -226,7 +226,7 @@ std::vector<LivingCells::GroupSize> LivingCells::groupSizes()
   return result;
 }
 
-void LivingCells::joinScraps()
+bool LivingCells::joinScraps()
 {
   const std::vector<GroupSize> sizes = this->groupSizes();
   const auto isScrap = [&sizes](Index group) {
@@ -262,6 +262,7 @@ void LivingCells::joinScraps()
       last = scrap; // to one neighbor only
     }
   }
+  return last != None;
 }
 
 bool LivingCells::mayJoin(Index first, Index second) const

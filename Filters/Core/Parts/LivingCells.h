@@ -64,7 +64,8 @@ public:
   /// Joins each scrap to a neighbor that is at all of its border: a group without a free edge, with no more triangles
   /// than edges at contacts, so that a patch has one point inside at most. Seams between sheets leave scraps
   /// where they zigzag. Linear in the number of cells.
-  void joinScraps();
+  /// @return  were there any?
+  bool joinScraps();
 
   /// The lowest cell of the group.
   Index groupOf(Index cell) { return this->groups.find(cell); }

@@ -114,8 +114,10 @@ void PruneRounds::remove(
 
 void PruneRounds::joinScraps()
 {
-  this->living.joinScraps();
-  this->current.reset();
+  if (this->living.joinScraps())
+  {
+    this->current.reset();
+  }
 }
 
 void PruneRounds::inherit(PruneRound& round, const std::vector<Index>& removed)
