@@ -14,10 +14,6 @@
  * significant neighbour, if the measure adds up. So a long feature is not removed bit by bit from its
  * end. With one pass, or without topology, each part counts alone.
  *
- * Where an edge comes down to two triangles, their parts become one (paper 4.1). But where two parts still meet a
- * third along a line and only a notch in the third lies between them, shorter than a tenth of that line, they stay two.
- * vtkMedialPartDecomposition of the output alone does not know this and joins them.
- *
  * Input: vtkPolyData, the output of vtkMedialAxis, vtkMedialPartDecomposition or vtkMedialPrune.
  *
  * Input 1: vtkSelection, optional: cells of input 0, or points, which stand for the cells there. The

@@ -4,9 +4,11 @@
 
 #include "Axis/FacePolygon.h"
 #include "Axis/MedialAxis.h"
+#include "Base/DisjointSets.h"
 #include "Validators.h"
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <vector>
 
@@ -46,6 +48,44 @@ inline validators::Complex complexOf(const std::vector<medial::FacePolygon>& pol
     ++apex;
   }
   return complex;
+}
+
+/// Each triangle and edge as one.
+inline std::vector<medial::FacePolygon> polygonsOf(const AxisCells& cells)
+{
+  std::vector<medial::FacePolygon> result;
+  for (const Triangle& t : cells.triangles)
+  {
+    result.push_back({ { t.begin(), t.end() }, None });
+  }
+  for (const Edge& edge : cells.edges)
+  {
+    result.push_back({ { edge.begin(), edge.end() }, None });
+  }
+  return result;
+}
+
+/// Groups of faces over the sides that exactly two of them have. Polygons of two corners don't count.
+inline Index partCount(const std::vector<medial::FacePolygon>& polygons)
+{
+  std::map<Edge, std::vector<Index>> faces;
+  Index result = 0;
+  for (Index p = 0; p < medial::count(polygons); ++p)
+  {
+    const std::vector<Index>& c = polygons[p].corners;
+    for (std::size_t i = 0; c.size() > 2 && i < c.size(); ++i)
+    {
+      const Index a = c[i], b = c[(i + 1) % c.size()];
+      faces[{ std::min(a, b), std::max(a, b) }].push_back(p);
+    }
+    result += c.size() > 2;
+  }
+  medial::DisjointSets groups(medial::count(polygons));
+  for (const auto& [side, at] : faces)
+  {
+    result -= at.size() == 2 && groups.unite(at[0], at[1]);
+  }
+  return result;
 }
 
 inline MedialAxis axisOf(std::vector<Point> points, AxisCells cells)

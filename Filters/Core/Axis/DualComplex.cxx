@@ -5,6 +5,7 @@
 #include "Axis/FacePolygon.h"
 #include "Axis/FaceTriangulation.h"
 #include "Axis/FreePlaces.h"
+#include "Axis/Membranes.h"
 #include "Axis/Sheets.h"
 #include "Axis/Trimming.h"
 #include "Axis/VertexMerging.h"
@@ -17,7 +18,7 @@
 // an edge, each edge a face. What is dual to an open set of cells is a closed complex with the same
 // topology. It becomes the axis in steps that each keep the Betti numbers: faces as polygons
 // (VoronoiFaces), vertices at the same place made one (VertexMerging), slivers left out and sheets cut
-// apart (Trimming), polygons cut into triangles (FaceTriangulation).
+// apart (Trimming), small tunnels closed (Membranes), polygons cut into triangles (FaceTriangulation).
 //
 // Decisions are made in the frame, where tolerances hold; points of the result come from the balls in
 // world coordinates, so that a pole is the very centre of its ball. For n cells each step takes O(n log
@@ -89,9 +90,10 @@ void drop(const std::vector<char>& gone, AllVertices& vertices)
 }
 
 FaceGeometry faceGeometry(const AllVertices& vertices, const SingularPoints& singularPoints,
-  const SiteTriangulation& sites, const Frame& frame)
+  const SiteTriangulation& sites, const Frame& frame, double spacing)
 {
-  FaceGeometry result{ vertices.places, vertices.pole, {}, sites.edges.edges };
+  FaceGeometry result{ vertices.places, vertices.pole, {}, sites.edges.edges,
+    spacing * frame.scale };
   for (const Point& site : singularPoints.positions)
   {
     result.sites.push_back(frame.toLocal(site));
@@ -139,9 +141,12 @@ AxisComplex dualComplex(const PolarBalls& polarBalls, const SingularPoints& sing
   execution.poll();
   drop(merging.merged, vertices);
   addMidpoints(merging.midpoints, frame, vertices);
-  const FaceGeometry geometry = faceGeometry(vertices, singularPoints, sites, frame);
+  const FaceGeometry geometry =
+    faceGeometry(vertices, singularPoints, sites, frame, polarBalls.spacing);
   execution.poll();
   drop(trimSheets(geometry, polygons, execution), vertices);
+  execution.poll();
+  drop(closeMembranes(geometry, polygons), vertices);
   execution.poll();
   AxisComplex axis;
   addPoints(vertices, polygons, axis);

@@ -169,6 +169,7 @@ AxisComplex collapsedShape(const PolarBalls& polarBalls, const Execution& execut
   const Frame frame = frameOf(polarBalls.samples);
   std::vector<Ball> balls;
   ShapeSites sites;
+  sites.geometry.spacing = polarBalls.spacing * frame.scale;
   for (Index b = 0; b < count(polarBalls.balls); ++b)
   {
     balls.push_back(frame.toLocal(polarBalls.balls[b]));

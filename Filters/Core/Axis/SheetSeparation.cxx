@@ -115,8 +115,8 @@ private:
     return {};
   }
 
-  /// More do not help at the corners of boxes. On a bumpy sphere ends of any length take quadratic time.
-  static constexpr Index largestEnd = 4;
+  /// At the corners of boxes 4 are too few, and more do not help. On a bumpy sphere ends of any length take quadratic time.
+  static constexpr Index largestEnd = 8;
 
   /// Appends the faces that are next to one at the end of a seam, and vertices that belong to the end.
   void step(Index seam, Index from, std::vector<Step>& steps, std::vector<Index>& end)

@@ -1,11 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/Sheets.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace medial
 {
+namespace
+{
+constexpr double smallestSheet = 2; // square spacings
+
+double area(const FacePolygon& polygon, const std::vector<Point>& points)
+{
+  const std::vector<Index>& corners = polygon.corners;
+  Point sum = Point::Zero();
+  for (std::size_t i = 2; i < corners.size(); ++i)
+  {
+    const Point& first = points[corners[0]];
+    sum += (points[corners[i - 1]] - first).cross(points[corners[i]] - first);
+  }
+  return 0.5 * sum.norm();
+}
+}
+
 Sheets::Sheets(const FaceComplex& faceComplex, const FaceGeometry& faceGeometry)
   : faces(faceComplex)
   , geometry(faceGeometry)
@@ -41,6 +61,12 @@ void Sheets::findSheets()
   for (Index p = 0; p < polygonCount; ++p)
   {
     isIn[p] = this->faces.isFace(p);
+  }
+  if (this->areas.empty())
+  {
+    std::transform(this->faces.polygons.begin(), this->faces.polygons.end(),
+      std::back_inserter(this->areas),
+      [this](const FacePolygon& polygon) { return area(polygon, this->geometry.points); });
   }
   // Without the slivers between them, two sheets may be one, and a sheet may be a sliver.
   constexpr int rounds = 2;
@@ -78,11 +104,17 @@ void Sheets::findSheetsAmong(const std::vector<char>& isIn)
       atBorder[this->faces.ends(s)[0]] = atBorder[this->faces.ends(s)[1]] = 1;
     }
   }
+  std::vector<double> areaOfPiece(this->faces.polygons.size(), 0);
+  for (Index p = 0; p < count(this->faces.polygons); ++p)
+  {
+    areaOfPiece[this->pieces.find(p)] += isIn[p] ? this->areas[p] : 0;
+  }
+  const double least = smallestSheet * this->geometry.spacing * this->geometry.spacing;
   this->isSheet.assign(this->faces.polygons.size(), 0);
   for (Index p = 0; p < count(this->faces.polygons); ++p)
   {
     const std::vector<Index>& corners = this->faces.polygons[p].corners;
-    if (isIn[p] &&
+    if (isIn[p] && areaOfPiece[this->pieces.find(p)] > least &&
       std::none_of(corners.begin(), corners.end(), [&](Index v) { return atBorder[v]; }))
     {
       this->isSheet[this->pieces.find(p)] = 1;

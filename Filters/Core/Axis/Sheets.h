@@ -17,6 +17,7 @@ struct FaceGeometry
   std::vector<Index> ball;     ///< the pole that each vertex is, or None
   std::vector<Point> sites;    ///< singular points
   std::vector<Edge> siteEdges; ///< by FacePolygon::siteEdge: the two sites of a face
+  double spacing = 0;          ///< mean distance of a sample to the nearest other one
 };
 
 /// Pieces of faces. Two kinds of them are told apart: pieces, which count what touches smoothly as one, and
@@ -37,8 +38,9 @@ public:
   void findPieces();
 
   /// Finds sheets among the faces that are there now, in linear time. Faces that are the only two at a side
-  /// are one piece; a piece with a face that has no vertex at the border is a sheet, any other a sliver. Then
-  /// the same without the slivers: each sheet becomes a piece.
+  /// are one piece. A piece with a face that has no vertex at the border is a sheet if it is larger than two square
+  /// spacings, as pruning takes what is smaller by default (the scrap of a sheet at a corner of a box); any other is a
+  /// sliver. Then the same without the slivers: each sheet becomes a piece.
   void findSheets();
 
   /// The lowest face of a face's piece.
@@ -63,6 +65,7 @@ private:
   const FaceGeometry& geometry;
   DisjointSets pieces;       ///< of faces, when they were last found
   std::vector<char> isSheet; ///< of the pieces by their lowest faces
+  std::vector<double> areas; ///< of the polygons, once findSheets() has needed them
 };
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -15,6 +16,8 @@
 // the merge fills exactly one of these loops, as if one path had been contracted. Each merge keeps this
 // invariant as long as faces are discs, which they nearly always are; the axis's certificate checks the
 // outcome.
+//
+// A contraction is the case in which nothing has to be filled or prevented.
 //
 // Usual merges look at the polygons at two vertices only. The search for a path takes time linear in
 // the polygons, but is needed only where two vertices that coincide are far apart along the axis.
@@ -56,6 +59,17 @@ public:
     return true;
   }
 
+  /// Contracts the side between two vertices, if this fills no other loop.
+  bool contract(Index a, Index b)
+  {
+    const bool fillsOne = this->closings(a, b).size() == 1;
+    if (fillsOne)
+    {
+      this->polygons.rename(b, a);
+    }
+    return fillsOne;
+  }
+
   const std::vector<Edge>& midpoints() const { return this->polygons.midpoints(); }
 
 private:
@@ -85,9 +99,10 @@ private:
       }
       for (const Index step : { 1, -1 })
       {
-        if (cornerAfter(corners, place, 2 * step) == b)
+        const Index v = cornerAfter(corners, place, step);
+        if (cornerAfter(corners, place, 2 * step) == b && !between.insert(v).second)
         {
-          between.insert(cornerAfter(corners, place, step));
+          result.push_back({ None, v }); // two such faces enclose a void
         }
       }
     });
@@ -163,6 +178,24 @@ std::vector<std::vector<Index>> sameVertices(
   }
   return result;
 }
+
+void dropPoints(std::vector<FacePolygon>& polygons)
+{
+  polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
+                   [](const FacePolygon& polygon) { return polygon.corners.size() < 2; }),
+    polygons.end());
+}
+
+Index vertexCount(const std::vector<Edge>& sides)
+{
+  std::vector<Index> vertices;
+  for (const Edge& side : sides)
+  {
+    vertices.insert(vertices.end(), side.begin(), side.end());
+  }
+  sortUnique(vertices);
+  return count(vertices);
+}
 }
 
 MergedVertices mergeVertices(const std::vector<Point>& points, const std::vector<Index>& ball,
@@ -177,10 +210,47 @@ MergedVertices mergeVertices(const std::vector<Point>& points, const std::vector
       result.merged[group[i]] = merger.merge(group[0], group[i]);
     }
   }
-  polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
-                   [](const FacePolygon& polygon) { return polygon.corners.size() < 2; }),
-    polygons.end());
+  dropPoints(polygons);
   result.midpoints = merger.midpoints();
   return result;
+}
+
+std::vector<char> contractToEdges(const std::vector<std::vector<Edge>>& sidesOfPatches,
+  const std::vector<Index>& ball, std::vector<FacePolygon>& polygons)
+{
+  std::vector<char> merged(ball.size(), 0);
+  if (sidesOfPatches.empty())
+  {
+    return merged;
+  }
+  Merger merger(polygons, count(ball));
+  DisjointSets sets(count(ball));
+  std::vector<Index> vertexOfSet(ball.size());
+  std::iota(vertexOfSet.begin(), vertexOfSet.end(), 0);
+  const auto contract = [&](const Edge& side) {
+    Index kept = vertexOfSet[sets.find(side[0])], gone = vertexOfSet[sets.find(side[1])];
+    if (ball[kept] == None)
+    {
+      std::swap(kept, gone);
+    }
+    if (kept == gone || !merger.contract(kept, gone))
+    {
+      return false;
+    }
+    sets.unite(kept, gone);
+    vertexOfSet[sets.find(kept)] = kept;
+    merged[gone] = 1;
+    return true;
+  };
+  for (const std::vector<Edge>& sides : sidesOfPatches)
+  {
+    // A contraction may make one possible that was not before.
+    for (Index left = vertexCount(sides);
+         left > 2 && std::any_of(sides.begin(), sides.end(), contract); --left)
+    {
+    }
+  }
+  dropPoints(polygons);
+  return merged;
 }
 }

@@ -28,6 +28,13 @@ struct MergedVertices
 /// @param polygons  changed in place; may have corners among the new vertices afterwards
 MergedVertices mergeVertices(const std::vector<Point>& points, const std::vector<Index>& ball,
   std::vector<FacePolygon>& polygons);
+/// Contracts each patch of faces to an edge, or as far as this fills just one loop at each step.
+/// @param sidesOfPatches  of each patch its sides, those first that are to be contracted first
+/// @param ball            the pole that each vertex is, or None: a pole stays rather than another vertex
+/// @param polygons        changed in place
+/// @return  for each vertex: was it merged into another one?
+std::vector<char> contractToEdges(const std::vector<std::vector<Edge>>& sidesOfPatches,
+  const std::vector<Index>& ball, std::vector<FacePolygon>& polygons);
 }
 
 #endif

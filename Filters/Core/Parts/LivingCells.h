@@ -8,8 +8,6 @@
 #include "Base/Lists.h"
 #include "Base/Types.h"
 
-#include <array>
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -19,10 +17,8 @@ namespace medial
 ///
 /// Cells are joined into groups with union-find; the groups are the parts. Removing cells only ever
 /// joins groups: where an edge comes down from three triangles to two, these two now belong together.
-/// So remove() notes such edges and points, and join() looks at these alone.
-///
-/// A notch in a third part does not join two: where only a scrap of it has gone, the two still meet along the rest of
-/// it, as the sheets of a box beside one of its corners. They stay two as long as the notch is short against that.
+/// So remove() notes such edges and points, and join() looks at these alone. All removals together cost
+/// about linear time in the number of cells, however many rounds of pruning there are.
 class LivingCells
 {
 public:
@@ -47,7 +43,7 @@ public:
   Index cellsAtPoint(Index point) const { return this->atPoint[point]; }
 
   /// Do parts touch along an edge? They do where it has three living triangles or more, or two of
-  /// different bodies or at a notch.
+  /// different bodies.
   bool isContact(Index edge) const;
 
   /// For each point the cells that it had in the beginning, ascending.
@@ -57,58 +53,16 @@ public:
   void remove(const std::vector<Index>& removed);
 
   /// Joins what belongs together since cells were removed. The groups are the parts (paper 4.1):
-  /// triangles are joined over edges with exactly two, but not over notches; dangling edges over points with two
-  /// and nothing else. Linear in the number of edges where notches are, else in what has changed.
+  /// triangles are joined over edges with exactly two, dangling edges over points with two and nothing
+  /// else.
   void join();
-
-  /// Joins each scrap to a neighbor that is at all of its border: a group without a free edge, with no more triangles
-  /// than edges at contacts, so that a patch has one point inside at most. Seams between sheets leave scraps
-  /// where they zigzag. Linear in the number of cells.
-  /// @return  were there any?
-  bool joinScraps();
 
   /// The lowest cell of the group.
   Index groupOf(Index cell) { return this->groups.find(cell); }
 
 private:
-  /// The two living triangles of an edge that has two.
-  std::array<Index, 2> trianglesOf(Index edge) const;
-
   void joinAtEdge(Index edge);
-
-  /// Joins groups over edges of two triangles, but leaves notches.
-  void joinAcross(std::vector<Index> edges);
-
-  /// How long two groups border on each other, in edges.
-  struct BorderLengths
-  {
-    Index open = 0; ///< with nothing else
-    Index seam = 0; ///< with others
-  };
-  using PairLengths = std::map<std::array<Index, 2>, BorderLengths>;
-
-  /// Drops edges that don't lie between two groups that may be joined, and adds the others to the lengths.
-  void keepOpen(std::vector<Index>& edges, PairLengths& lengths);
-
-  /// The groups of the living triangles at an edge, ascending.
-  void groupsAtEdge(Index edge, std::vector<Index>& result);
-
-  /// Adds the edges with other groups to the lengths of the pairs that are known.
-  void addSeams(PairLengths& lengths);
-
   void joinAtPoint(Index point);
-
-  /// How many triangles a group has, and how often these are at an edge without others, or at a contact.
-  struct GroupSize
-  {
-    Index triangles = 0, freeEdges = 0, contactEdges = 0;
-  };
-
-  /// Of each group, by the cell that it is known by.
-  std::vector<GroupSize> groupSizes();
-
-  /// Are they of one body?
-  bool mayJoin(Index first, Index second) const;
 
   /// Joins the cells if they are all of one body.
   void joinPair(Index first, Index second);
@@ -122,7 +76,6 @@ private:
   std::shared_ptr<const IndexLists> ofPoint; ///< copies share it
   DisjointSets groups;
   std::vector<Index> changedEdges, changedPoints; ///< came down to two cells since the last join()
-  std::vector<Index> notches;                     ///< edges of two triangles that don't join them
 };
 
 /// For each point up to the last that cells use those, ascending.

@@ -112,14 +112,6 @@ void PruneRounds::remove(
   }
 }
 
-void PruneRounds::joinScraps()
-{
-  if (this->living.joinScraps())
-  {
-    this->current.reset();
-  }
-}
-
 void PruneRounds::inherit(PruneRound& round, const std::vector<Index>& removed)
 {
   double sum = 0;

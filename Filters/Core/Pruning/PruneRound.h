@@ -63,9 +63,6 @@ public:
   /// @param cells  of these parts, as cellsOf() gives them
   void remove(PruneRound& round, const std::vector<Index>& parts, const std::vector<Index>& cells);
 
-  /// See LivingCells::joinScraps.
-  void joinScraps();
-
   /// Passes the significance of parts that were just removed together to their most significant
   /// neighbor, in this round and those after it. A measure that doesn't add up passes its largest
   /// value, which decides nothing: removed parts have at most the threshold anyway.

@@ -224,10 +224,6 @@ Pruned pruned(const PrunableAxis& input, LivingCells& living, const Bodies& bodi
     result.fates = removeByHand(run);
   }
   execution.report(0.9);
-  if (!run.ledger.record().history.empty())
-  {
-    run.rounds.joinScraps();
-  }
   const PruneRound round = run.rounds.next(last ? last->measure : Measure::TriangleCount);
   run.rounds.findAllLevels();
   result.parts =
@@ -267,10 +263,6 @@ Pruned prune(PrunableAxis& input, const PruneOptions& requestedOptions, const Ex
   Pruned result = pruned(input, living, limbs, std::move(begun), options, execution);
   input.lastOptions = options;
   input.lastRecord = result;
-  if (!result.history.empty())
-  {
-    result.history.back().partsAfter = count(result.parts.parts); // scraps joined
-  }
   execution.report(1);
   return result;
 }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/Trimming.h"
-#include "Base/DisjointSets.h"
 #include "Complexes.h"
 #include "Numbers.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 
 using complexes::Drawing;
+using complexes::partCount;
 using medial::Edge;
 using medial::FaceGeometry;
 using medial::FacePolygon;
@@ -63,41 +63,16 @@ medial::Betti bettiNumbers(const std::vector<FacePolygon>& polygons)
   return validators::bettiNumbers(complex);
 }
 
-/// Groups of faces over the sides that exactly two of them have.
-Index parts(const std::vector<FacePolygon>& polygons)
-{
-  std::map<Edge, std::vector<Index>> faces;
-  for (Index p = 0; p < medial::count(polygons); ++p)
-  {
-    const std::vector<Index>& c = polygons[p].corners;
-    for (std::size_t i = 0; i < c.size(); ++i)
-    {
-      const Index a = c[i], b = c[(i + 1) % c.size()];
-      faces[{ std::min(a, b), std::max(a, b) }].push_back(p);
-    }
-  }
-  medial::DisjointSets groups(medial::count(polygons));
-  Index result = medial::count(polygons);
-  for (const auto& [side, at] : faces)
-  {
-    result -= at.size() == 2 && groups.unite(at[0], at[1]);
-  }
-  return result;
-}
-
-/// Three sheets, 5 wide and 7 high, at equal angles about the z axis; the third is lower.
-Drawn threeSheets(int heightOfThird)
+/// At one of three equal angles about the z axis.
+Point around(double k)
 {
   const double third = 2 * std::acos(-1.) / 3;
-  const auto around = [third](
-                        double k) { return Point(std::cos(k * third), std::sin(k * third), 0); };
-  Drawing drawing;
-  for (int k = 0; k < 3; ++k)
-  {
-    const int height = k == 2 ? heightOfThird : 7;
-    drawing.sheet(Point::Zero(), Point(0, 0, 1), around(k), height, 5);
-  }
-  // The sites lie between the sheets, the two of a sheet beside it.
+  return { std::cos(k * third), std::sin(k * third), 0 };
+}
+
+/// Sheets 0, 1 and 2 are at these angles; the sites lie between them, the two of a sheet beside it.
+Drawn aroundZ(const Drawing& drawing)
+{
   std::vector<Point> sites;
   for (int k = 0; k < 3; ++k)
   {
@@ -112,6 +87,34 @@ Drawn threeSheets(int heightOfThird)
     const int k = nearer(nearer(0, 1), 2);
     return Edge{ k, (k + 2) % 3 };
   });
+}
+
+/// Three sheets, 5 wide and 7 high; the third is lower.
+Drawn threeSheets(int heightOfThird)
+{
+  Drawing drawing;
+  for (int k = 0; k < 3; ++k)
+  {
+    drawing.sheet(Point::Zero(), Point(0, 0, 1), around(k), k == 2 ? heightOfThird : 7, 5);
+  }
+  return aroundZ(drawing);
+}
+
+/// Three sheets, 5 wide and 9 high; the third is 5 high, and above it a scrap, of area 12, touches it in a point.
+/// @param scrap  is it there?
+Drawn threeSheetsWithScrap(bool scrap)
+{
+  Drawing drawing;
+  const Point up(0, 0, 1);
+  for (int k = 0; k < 3; ++k)
+  {
+    drawing.sheet(Point::Zero(), up, around(k), k == 2 ? 5 : 9, 5);
+  }
+  if (scrap)
+  {
+    drawing.sheet(5 * up, up, around(2) + 0.2 * up, 4, 3);
+  }
+  return aroundZ(drawing);
 }
 }
 
@@ -153,18 +156,38 @@ TEST(Trimming, KeepsTheBettiNumbersOfRandomComplexes)
 TEST(Trimming, CutsSheetsApartThatAreOneAroundTheEndOfAThird)
 {
   const Drawn d = threeSheets(6);
-  ASSERT_EQ(parts(d.polygons), 2);
+  ASSERT_EQ(partCount(d.polygons), 2);
   std::vector<FacePolygon> polygons = d.polygons;
   medial::trimSheets(d.geometry, polygons);
-  EXPECT_EQ(parts(polygons), 3);
+  EXPECT_EQ(partCount(polygons), 3);
   EXPECT_EQ(bettiNumbers(polygons), bettiNumbers(d.polygons));
   EXPECT_GE(polygons.size() + 4, d.polygons.size());
+}
+
+TEST(Trimming, CutsSheetsApartThatOnlyAScrapKeepsApart)
+{
+  const Index withoutScrap = medial::count(threeSheetsWithScrap(false).polygons);
+  for (const double spacing : { 0.0, 2.5 }) // square spacings are 0 and 6.25
+  {
+    SCOPED_TRACE(testing::Message() << "spacing " << spacing);
+    Drawn d = threeSheetsWithScrap(true);
+    ASSERT_EQ(partCount(d.polygons), 4);
+    d.geometry.spacing = spacing;
+    std::vector<FacePolygon> polygons = d.polygons;
+    medial::trimSheets(d.geometry, polygons);
+    EXPECT_EQ(bettiNumbers(polygons), bettiNumbers(d.polygons));
+    // What is left once pruning has taken the scrap? Its faces were drawn last.
+    polygons.erase(std::remove_if(polygons.begin(), polygons.end(),
+                     [&](const FacePolygon& polygon) { return polygon.siteEdge >= withoutScrap; }),
+      polygons.end());
+    EXPECT_EQ(partCount(polygons), spacing > 0 ? 3 : 2);
+  }
 }
 
 TEST(Trimming, LeavesSheetsThatEndTogether)
 {
   const Drawn d = threeSheets(7);
-  ASSERT_EQ(parts(d.polygons), 3);
+  ASSERT_EQ(partCount(d.polygons), 3);
   std::vector<FacePolygon> polygons = d.polygons;
   medial::trimSheets(d.geometry, polygons);
   EXPECT_EQ(polygons.size(), d.polygons.size());
@@ -173,7 +196,7 @@ TEST(Trimming, LeavesSheetsThatEndTogether)
 TEST(Trimming, LeavesSheetsThatAreOneFarFromTheBorder)
 {
   const Drawn d = threeSheets(2); // the border is farther than the sites
-  ASSERT_EQ(parts(d.polygons), 2);
+  ASSERT_EQ(partCount(d.polygons), 2);
   std::vector<FacePolygon> polygons = d.polygons;
   medial::trimSheets(d.geometry, polygons);
   EXPECT_EQ(polygons.size(), d.polygons.size());

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <random>
 
+using complexes::polygonsOf;
 using medial::FacePolygon;
 using medial::Index;
 using medial::None;
@@ -14,20 +15,6 @@ using medial::Point;
 
 namespace
 {
-std::vector<FacePolygon> polygonsOf(const medial::AxisCells& cells)
-{
-  std::vector<FacePolygon> result;
-  for (const medial::Triangle& t : cells.triangles)
-  {
-    result.push_back({ { t.begin(), t.end() }, None });
-  }
-  for (const medial::Edge& edge : cells.edges)
-  {
-    result.push_back({ { edge.begin(), edge.end() }, None });
-  }
-  return result;
-}
-
 medial::Betti bettiNumbers(const std::vector<FacePolygon>& polygons)
 {
   return validators::bettiNumbers(complexes::complexOf(polygons));
