@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Balls/BallsAround.h"
 
+#include "Balls/Sides.h"
 #include "Base/Frame.h"
+#include "Base/Tetrahedra.h"
 
 #include <algorithm>
 
@@ -61,8 +63,9 @@ std::vector<Index> coreAndNeighbors(
   return result;
 }
 
-/// Only some of the balls, with their own triangulation.
-PolarBalls only(const std::vector<Index>& chosen, const PolarBalls& all)
+/// Only some of the balls, with their sides and their own triangulation.
+PolarBalls only(const std::vector<Index>& chosen, const PolarBalls& all, const SurfaceTree& solid,
+  const Execution& execution)
 {
   PolarBalls result;
   result.samples = all.samples;
@@ -72,10 +75,13 @@ PolarBalls only(const std::vector<Index>& chosen, const PolarBalls& all)
   {
     local.push_back(frame.toLocal(all.balls[b]));
     result.balls.push_back(all.balls[b]);
-    result.sides.push_back(all.sides[b]);
+    result.touchesGuard.push_back(all.touchesGuard[b]);
     result.ballSamples.append(all.ballSamples[b]);
   }
-  result.triangulation = powerCells(local);
+  result.triangulation = powerCells(local, execution);
+  const std::vector<Edge> edges =
+    edgeNumbers(result.triangulation.cells, count(result.balls)).edges;
+  result.sides = sidesIn(solid, frame, { {}, {}, local, result.touchesGuard, edges }, execution);
   return result;
 }
 }
@@ -100,13 +106,17 @@ BallsAround ballsAround(const std::vector<Index>& core, const PolarBalls& before
       places.push_back(samples[s]);
       isCore.push_back(std::binary_search(core.begin(), core.end(), s));
     }
-    const PolarBalls made = polarBallsAndSamples(places, {}, execution, &solid).balls;
-    result.balls = only(ballsOfCore(made, isCore), made);
-    for (const Ball& ball : result.balls.balls)
+    const PolarBalls made = ballsWithoutSides(places, execution);
+    const std::vector<Index> chosen = ballsOfCore(made, isCore);
+    for (const Index b : chosen)
     {
-      result.samples.push_back(neighbors.nearestOne(ball.center));
+      result.samples.push_back(neighbors.nearestOne(made.balls[b].center));
     }
     sortUnique(result.samples);
+    if (result.samples.size() == known)
+    {
+      result.balls = only(chosen, made, solid, execution);
+    }
   }
   return result;
 }

@@ -22,10 +22,6 @@ public:
   CrustApproach(const SurfaceTree& theTree, const BoundarySampler& theSampler)
     : tree(theTree)
     , sampler(theSampler)
-    , isAtSharpEdge([&theSampler](const Point& place, double spacing) {
-      // The crust cuts the edge off there.
-      return theSampler.isAtSharpEdge(place, spacing);
-    })
   {
   }
 
@@ -76,10 +72,19 @@ private:
     return FarSpots::badness(faces, wanted);
   }
 
+  /// The crust cuts sharp edges off.
+  auto sharpEdges() const
+  {
+    return [this](const Point& place, double spacing) {
+      return this->sampler.isAtSharpEdge(place, spacing);
+    };
+  }
+
   std::vector<FarFace> farFacesOf(const PolarBallsAndSamples& made, const BoundarySamples& samples,
     const Execution& execution) const
   {
-    return farFaces(made.balls, samples.points, this->tree, most, this->isAtSharpEdge, execution);
+    return farFaces(
+      made.balls, samples.points, this->tree, most, { this->sharpEdges(), {} }, execution);
   }
 
   /// The samples with those added around far faces, again and again where faces are still far, that leave the fewest by
@@ -132,17 +137,16 @@ private:
     }
     const std::vector<Point> places = placesOf(faces);
     const Neighbors farPlaces(places);
-    const auto isElsewhere = [&](const Point& place, double spacing) {
-      const FarFace& nearest = faces[farPlaces.nearestOne(place)];
-      return (nearest.place - place).norm() > next * nearest.spacing ||
-        this->isAtSharpEdge(place, spacing);
+    const auto isElsewhere = [&](const Point& place) {
+      const Index nearest = farPlaces.nearestOne(place);
+      return nearest == None || (places[nearest] - place).norm() > next * faces[nearest].spacing;
     };
-    return farFaces(made.balls, points, this->tree, most, isElsewhere, execution);
+    return farFaces(
+      made.balls, points, this->tree, most, { this->sharpEdges(), isElsewhere }, execution);
   }
 
   const SurfaceTree& tree;
   const BoundarySampler& sampler;
-  PlaceTest isAtSharpEdge;
 };
 }
 

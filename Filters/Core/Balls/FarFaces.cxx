@@ -97,12 +97,12 @@ class Distances
 {
 public:
   Distances(const PolarBalls& theBalls, const std::vector<SurfacePoint>& theSamples,
-    const SurfaceTree& theSolid, double most, const PlaceTest& theLeftOut,
+    const SurfaceTree& theSolid, double most, const PlacesLeftOut& theLeftOut,
     const Execution& execution)
     : balls(theBalls)
     , samples(theSamples)
     , solid(theSolid)
-    , isLeftOut(theLeftOut)
+    , leftOut(theLeftOut)
     , neighbors(theBalls.samples)
     , spacings(meanDistances(theBalls.samples, this->neighbors, execution))
     , frame(frameOf(theBalls.samples))
@@ -251,6 +251,10 @@ private:
   std::optional<FarFace> farPlace(
     const Point& place, const std::vector<Index>& around, double enough, const Look& look) const
   {
+    if (this->leftOut.elsewhere && this->leftOut.elsewhere(place))
+    {
+      return {};
+    }
     const double atMost = this->distanceFrom(around, place, enough);
     if (atMost < enough)
     {
@@ -270,15 +274,15 @@ private:
     const SurfacePoint& sample = this->samples[nearest];
     const SurfaceTree::Place known{ sample.position, sample.triangle };
     const double distance = (this->solid.nearest(place, known).point - place).norm() / here;
-    const bool counts =
-      distance > look.least && !(this->isLeftOut && this->isLeftOut(place, look.margin * here));
+    const bool counts = distance > look.least &&
+      !(this->leftOut.near && this->leftOut.near(place, look.margin * here));
     return counts ? FarFace{ place, distance, here } : std::optional<FarFace>();
   }
 
   const PolarBalls& balls;
   const std::vector<SurfacePoint>& samples;
   const SurfaceTree& solid;
-  const PlaceTest& isLeftOut;
+  const PlacesLeftOut& leftOut;
   Neighbors neighbors;
   std::vector<double> spacings; ///< at the samples
   Frame frame;
@@ -287,10 +291,10 @@ private:
 }
 
 std::vector<FarFace> farFaces(const PolarBalls& balls, const std::vector<SurfacePoint>& samples,
-  const SurfaceTree& solid, double most, const PlaceTest& isLeftOut, const Execution& execution)
+  const SurfaceTree& solid, double most, const PlacesLeftOut& leftOut, const Execution& execution)
 {
   const Lists<EdgeCell> faces = oddEdges(balls);
-  const Distances distances(balls, samples, solid, most, isLeftOut, execution);
+  const Distances distances(balls, samples, solid, most, leftOut, execution);
   std::vector<std::optional<FarFace>> far(faces.size());
   execution.forEach(faces.size(), [&](Index f) { far[f] = distances.farthest(faces[f]); });
   std::vector<FarFace> result;

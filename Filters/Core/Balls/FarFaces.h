@@ -20,7 +20,13 @@ struct FarFace
   double spacing;  ///< there: the mean distance of the nearest sample from its six nearest
 };
 
-using PlaceTest = std::function<bool(const Point& place, double spacing)>;
+/// Places that don't count. A test that is missing leaves out none.
+struct PlacesLeftOut
+{
+  std::function<bool(const Point& place, double spacing)>
+    near;                                            ///< tells by the spacing there; asked last
+  std::function<bool(const Point& place)> elsewhere; ///< asked before anything that takes time
+};
 
 /// The faces between inner and outer power cells that are farther than `most` from the surface of the solid:
 /// the samples around are placed so badly that a face spans from one wall to another one. Each with its
@@ -28,9 +34,8 @@ using PlaceTest = std::function<bool(const Point& place, double spacing)>;
 /// @param balls      of the samples
 /// @param samples    of the surface in the tree
 /// @param most       in spacings
-/// @param isLeftOut  tells by the spacing there which places don't count; none: all count
 std::vector<FarFace> farFaces(const PolarBalls& balls, const std::vector<SurfacePoint>& samples,
-  const SurfaceTree& solid, double most, const PlaceTest& isLeftOut = {},
+  const SurfaceTree& solid, double most, const PlacesLeftOut& leftOut = {},
   const Execution& execution = {});
 }
 

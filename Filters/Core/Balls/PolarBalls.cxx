@@ -240,6 +240,19 @@ Tetrahedra powerCells(const std::vector<Ball>& balls, const Execution& execution
   return triangulation.tetrahedra();
 }
 
+PolarBalls ballsWithoutSides(const std::vector<Point>& samples, const Execution& execution)
+{
+  const DistinctSamples distinct = distinctSamples(samples);
+  const DelaunaySpheres spheres =
+    delaunaySpheres(distinct.points, distinct.precision * distinct.frame.scale, execution);
+  PolarBalls result;
+  result.samples = samples;
+  collectSamples(
+    spheres, numberBalls(spheres, poles(spheres).isPole, result), distinct.ids, result);
+  toWorld(distinct.frame, result);
+  return result;
+}
+
 PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
   const MergeOptions& options, const Execution& execution, const SurfaceTree* solid,
   const std::vector<Point>& normals)

@@ -80,6 +80,11 @@ PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
   const MergeOptions& options = {}, const Execution& execution = {},
   const SurfaceTree* solid = nullptr, const std::vector<Point>& normals = {});
 
+/// The polar balls and their samples only: no sides, no volumes, no triangulation.
+/// @param samples  not all in a plane
+/// @throw Aborted
+PolarBalls ballsWithoutSides(const std::vector<Point>& samples, const Execution& execution = {});
+
 /// The polar balls alone.
 PolarBalls polarBalls(const std::vector<Point>& samples, const Execution& execution = {});
 
