@@ -70,32 +70,59 @@ private:
     return result;
   }
 
-  /// Does another patch pass by at each side that other faces have, and are there as many of these sides as faces?
+  /// Does another patch pass by, with two faces, at each side that other faces have; or one at one side that is at all
+  /// others, too? And are there as many of these sides as faces?
   bool isMembrane(Index patch, const std::vector<Index>& sides)
   {
-    Index contacts = 0;
+    Index contacts = 0, passed = 0;
+    std::vector<Index> atAll, passing;
     for (const Index s : sides)
     {
-      if (this->faces.faceCount(s) != 2)
+      if (this->faces.faceCount(s) == 2)
       {
-        if (!this->passesBy(patch, s))
+        continue;
+      }
+      std::vector<Index> others = this->othersAt(s, patch);
+      const std::size_t before = passing.size();
+      for (std::size_t i = 1; i < others.size(); ++i)
+      {
+        if (others[i] == others[i - 1])
         {
-          return false;
+          passing.push_back(others[i]);
         }
-        ++contacts;
+      }
+      passed += passing.size() > before;
+      sortUnique(others);
+      atAll = contacts++ == 0 ? others : common(atAll, others);
+      if (others.empty() || (passed < contacts && atAll.empty()))
+      {
+        return false;
       }
     }
-    return contacts > 0 && this->facesOfPatch[patch].size() <= contacts;
+    sortUnique(passing);
+    return contacts > 0 && this->facesOfPatch[patch].size() <= contacts &&
+      (passed == contacts || !common(atAll, passing).empty());
   }
 
-  /// Has another patch two faces at the side?
-  bool passesBy(Index patch, Index side)
+  static std::vector<Index> common(const std::vector<Index>& a, const std::vector<Index>& b)
   {
-    std::vector<Index> others;
-    this->faces.forFacesAt(side, [&](Index p) { others.push_back(this->patches.find(p)); });
-    others.erase(std::remove(others.begin(), others.end(), patch), others.end());
-    std::sort(others.begin(), others.end());
-    return std::adjacent_find(others.begin(), others.end()) != others.end();
+    std::vector<Index> result;
+    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+    return result;
+  }
+
+  /// The other patches at a side, ascending, as often as they have faces there.
+  std::vector<Index> othersAt(Index side, Index patch)
+  {
+    std::vector<Index> result;
+    this->faces.forFacesAt(side, [&](Index p) {
+      if (this->patches.find(p) != patch)
+      {
+        result.push_back(this->patches.find(p));
+      }
+    });
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
   const FaceComplex& faces;

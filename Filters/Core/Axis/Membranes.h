@@ -12,7 +12,7 @@ namespace medial
 {
 /// Contracts membranes to edges. The topology stays.
 ///
-/// A membrane is a small patch of faces across a tunnel through one sheet, or between two. At each of its sides a sheet
+/// A membrane is a small patch of faces across a tunnel through one sheet, or between two. At its sides a sheet
 /// passes by. So it can't be left out, but would stay a part of its own whatever is pruned. Such tunnels
 /// are as narrow as a few sites are close together.
 /// @return  for each vertex: is it no longer there?
