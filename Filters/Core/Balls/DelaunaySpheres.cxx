@@ -70,10 +70,12 @@ bool isOnSphere(const DelaunaySpheres& spheres, Index cell, const Ball& sphere)
 }
 
 /// Gives the class of `seed` to all cells on its sphere that lead to it.
-void growClass(const DelaunaySpheres& spheres, Index seed, std::vector<Index>& seedOfCell)
+/// @param todo  space to work in
+void growClass(const DelaunaySpheres& spheres, Index seed, std::vector<Index>& seedOfCell,
+  std::vector<Index>& todo)
 {
   seedOfCell[seed] = seed;
-  std::vector<Index> todo{ seed };
+  todo.assign(1, seed);
   while (!todo.empty())
   {
     const Index c = todo.back();
@@ -97,13 +99,13 @@ void findClasses(DelaunaySpheres& spheres, const Execution& execution)
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
     [&](Index a, Index b) { return spheres.cellVolumes[a] > spheres.cellVolumes[b]; });
-  std::vector<Index> seedOfCell(cellCount, None);
+  std::vector<Index> seedOfCell(cellCount, None), todo;
   for (const Index c : order)
   {
     execution.pollAt(c);
     if (seedOfCell[c] == None)
     {
-      growClass(spheres, c, seedOfCell);
+      growClass(spheres, c, seedOfCell, todo);
     }
   }
   std::vector<Index> lowest(cellCount, None);
@@ -117,25 +119,6 @@ void findClasses(DelaunaySpheres& spheres, const Execution& execution)
     spheres.ballOfCell[c] = own[seedOfCell[c]];
   }
 }
-}
-
-DelaunaySpheres delaunaySpheres(
-  const std::vector<Point>& samples, double precision, const Execution& execution)
-{
-  DelaunaySpheres result;
-  result.points = samples;
-  result.sampleCount = count(samples);
-  for (const Point& guard : guards(samples))
-  {
-    result.points.push_back(guard);
-  }
-  result.delaunay = delaunay(result.points, execution);
-  result.precision = std::min(precision, leastPrecision * meanSpacing(result));
-  measureCells(result, execution);
-  findClasses(result, execution);
-  return result;
-}
-
 double meanSpacing(const DelaunaySpheres& spheres)
 {
   // The nearest neighbour of a point is a Delaunay neighbour, so the edges of the cells are enough.
@@ -164,5 +147,24 @@ double meanSpacing(const DelaunaySpheres& spheres)
     }
   }
   return finite > 0 ? sum / finite : 0;
+}
+}
+
+DelaunaySpheres delaunaySpheres(
+  const std::vector<Point>& samples, double precision, const Execution& execution)
+{
+  DelaunaySpheres result;
+  result.points = samples;
+  result.sampleCount = count(samples);
+  for (const Point& guard : guards(samples))
+  {
+    result.points.push_back(guard);
+  }
+  result.delaunay = delaunay(result.points, execution);
+  result.meanSpacing = meanSpacing(result);
+  result.precision = std::min(precision, leastPrecision * result.meanSpacing);
+  measureCells(result, execution);
+  findClasses(result, execution);
+  return result;
 }
 }

@@ -21,6 +21,11 @@ struct DelaunaySpheres
   std::vector<Point> points; ///< the samples, then the guards
   Index sampleCount;
   double precision; ///< how far samples may be from where they were meant to be, at most
+
+  /// Mean distance of a sample to the nearest other one. Two samples closer than `coincident` are the
+  /// same up to rounding and don't count as neighbours. 0 where no two samples do.
+  double meanSpacing;
+
   Tetrahedra delaunay;
   // One entry for each cell.
   std::vector<double> cellVolumes;
@@ -33,10 +38,6 @@ struct DelaunaySpheres
 /// @throw Aborted
 DelaunaySpheres delaunaySpheres(
   const std::vector<Point>& samples, double precision, const Execution& execution = {});
-
-/// Mean distance of a sample to the nearest other one. Two samples closer than `coincident` are the
-/// same up to rounding and don't count as neighbours. 0 where no two samples do.
-double meanSpacing(const DelaunaySpheres& spheres);
 }
 
 #endif

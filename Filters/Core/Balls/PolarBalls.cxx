@@ -48,30 +48,36 @@ std::vector<Index> numberBalls(
 void collectSamples(const DelaunaySpheres& spheres, const std::vector<Index>& ballOfCell,
   const std::vector<Index>& ids, PolarBalls& result)
 {
-  std::vector<std::vector<Index>> samples(result.balls.size());
   result.touchesGuard.assign(result.balls.size(), 0);
-  for (Index c = 0; c < count(ballOfCell); ++c)
-  {
-    if (ballOfCell[c] == None)
+  const IndexLists cells = listsByKey(count(result.balls), [&](const auto& add) {
+    for (Index c = 0; c < count(ballOfCell); ++c)
     {
-      continue;
-    }
-    for (const Index v : spheres.delaunay.cells[c])
-    {
-      if (v < spheres.sampleCount)
+      if (ballOfCell[c] != None)
       {
-        samples[ballOfCell[c]].push_back(ids[v]);
-      }
-      else
-      {
-        result.touchesGuard[ballOfCell[c]] = 1;
+        add(ballOfCell[c], c);
       }
     }
-  }
-  for (std::vector<Index>& list : samples)
+  });
+  std::vector<Index> own;
+  for (Index b = 0; b < count(result.balls); ++b)
   {
-    sortUnique(list);
-    result.ballSamples.append(list);
+    own.clear();
+    for (const Index c : cells[b])
+    {
+      for (const Index v : spheres.delaunay.cells[c])
+      {
+        if (v < spheres.sampleCount)
+        {
+          own.push_back(ids[v]);
+        }
+        else
+        {
+          result.touchesGuard[b] = 1;
+        }
+      }
+    }
+    sortUnique(own);
+    result.ballSamples.append(own);
   }
 }
 
@@ -283,7 +289,7 @@ PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
   measureVolumes(spheres, ballOfCell, ballsOfSample, result, execution);
   assignBalls(distinct, ballsOfSample, result);
   made.samples = describeSamples(distinct, ballsOfSample, result.balls);
-  result.spacing = meanSpacing(spheres);
+  result.spacing = spheres.meanSpacing;
   made.powerShape = markedBetti(mesh, edges, innerBalls(result.sides));
   if (!solid) // else the solid tells whether the result is right
   {
