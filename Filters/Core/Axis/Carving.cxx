@@ -37,6 +37,39 @@ void markCell(const SiteTriangulation& sites, Index cell, Outside& outside)
   }
 }
 
+/// How many pieces of the rest of space the set encloses.
+Index voidCount(const SiteTriangulation& sites, const OpenSet& set)
+{
+  // Pieces of the closed rest: cells, joined over shared vertices. The vertex at infinity is one more.
+  const Index infinity = sites.siteCount;
+  DisjointSets pieces(infinity + 1);
+  std::vector<char> isOutside(infinity, 0);
+  for (Index c = 0; c < count(set.cells); ++c)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      if (!set.cells[c])
+      {
+        isOutside[sites.mesh.cells[c][i]] = 1;
+        pieces.unite(sites.mesh.cells[c][0], sites.mesh.cells[c][i]);
+      }
+      if (sites.mesh.neighbors[c][i] == None)
+      {
+        for (const Index v : facet(sites.mesh.cells[c], i))
+        {
+          pieces.unite(v, infinity);
+        }
+      }
+    }
+  }
+  Index result = 0;
+  for (Index v = 0; v < infinity; ++v)
+  {
+    result += isOutside[v] && pieces.find(v) == v && pieces.find(infinity) != v;
+  }
+  return result;
+}
+
 /// Can the cell go without a change of topology? What it shares with the outside must be contractible.
 bool isSimple(
   const SiteTriangulation& sites, const OpenSet& set, const Outside& outside, Index cell)
@@ -125,38 +158,6 @@ OpenSet insideCells(const SiteTriangulation& sites, double kappa)
     set.cells[c] = set.cells[c] && hasBall[pieces.find(c)];
   }
   return set;
-}
-
-Index voidCount(const SiteTriangulation& sites, const OpenSet& set)
-{
-  // Pieces of the closed rest: cells, joined over shared vertices. The vertex at infinity is one more.
-  const Index infinity = sites.siteCount;
-  DisjointSets pieces(infinity + 1);
-  std::vector<char> isOutside(infinity, 0);
-  for (Index c = 0; c < count(set.cells); ++c)
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      if (!set.cells[c])
-      {
-        isOutside[sites.mesh.cells[c][i]] = 1;
-        pieces.unite(sites.mesh.cells[c][0], sites.mesh.cells[c][i]);
-      }
-      if (sites.mesh.neighbors[c][i] == None)
-      {
-        for (const Index v : facet(sites.mesh.cells[c], i))
-        {
-          pieces.unite(v, infinity);
-        }
-      }
-    }
-  }
-  Index result = 0;
-  for (Index v = 0; v < infinity; ++v)
-  {
-    result += isOutside[v] && pieces.find(v) == v && pieces.find(infinity) != v;
-  }
-  return result;
 }
 
 Betti bettiNumbers(const SiteTriangulation& sites, const OpenSet& set)

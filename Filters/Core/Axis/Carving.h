@@ -26,9 +26,6 @@ OpenSet insideCells(const SiteTriangulation& sites, double kappa);
 /// Betti numbers of an open set of cells.
 Betti bettiNumbers(const SiteTriangulation& sites, const OpenSet& set);
 
-/// The last of them alone: how many pieces of the rest of space the set encloses.
-Index voidCount(const SiteTriangulation& sites, const OpenSet& set);
-
 /// Removes cells that are not core, the shallowest first, as long as the topology stays: a cell can
 /// go if the vertices (V), edges (E) and facets (F) that it shares with the outside are connected and
 /// V - E + F is 1.

@@ -2,6 +2,7 @@
 #include "Axis/GapFilling.h"
 
 #include "Axis/OutsideCounts.h"
+#include "Axis/OutsideSearch.h"
 #include "Base/DisjointSets.h"
 
 #include <algorithm>
@@ -17,13 +18,14 @@
 // What a cell shares with the outside of set and cell tells the change. Of n components of that, n - 1 are
 // ways through the outside that the cell blocks: each fills a tunnel of the set, or cuts a void off. None at
 // all: the cell fills a void. Around each loop of it the cell touches the set once more: that joins two
-// pieces, or makes a tunnel. Union-find tells pieces; voids are counted, but only where that can matter.
+// pieces, or makes a tunnel. Union-find tells pieces; whether ways around the cell are connected elsewhere is searched for,
+// but only where that can matter.
 //
 // No tunnel is made. A set with too few of them is wrong in more than gaps, and other tunnels than those that
 // are missing would only make the numbers right.
 //
 // A cell is tested when it comes to the border and when a cell beside it has joined: O(n log n) for n cells,
-// and O(n) more for each count. Few cells join before the gaps of samples that are a little too sparse close.
+// and the way around for each search, O(n) at most. Few cells join before the gaps of samples that are a little too sparse close.
 
 namespace medial
 {
@@ -39,6 +41,7 @@ public:
     , target(wanted)
     , set(openSet)
     , outside(triangulation)
+    , search(triangulation)
     , groups(count(openSet.cells))
     , shapePiece(openSet.cells.size(), None)
   {
@@ -127,9 +130,7 @@ private:
         return false; // whether it fills a tunnel or makes a void
       }
       execution.poll();
-      this->set.cells[cell] = 1;
-      voidsMade = voidCount(this->sites, this->set) - this->result.betti[2];
-      this->set.cells[cell] = 0;
+      voidsMade = this->search.piecesAround(cell, this->set) - 1;
     }
     const Index tunnelsFilled = blocked - std::max(voidsMade, 0);
     return this->accept({ 1 - count(touched), -tunnelsFilled, voidsMade });
@@ -178,6 +179,7 @@ private:
   OpenSet& set;
   FilledGaps result;
   OutsideCounts outside;
+  OutsideSearch search;
   DisjointSets groups; ///< of cells in the set, over shared facets
   std::vector<Index>
     shapePiece; ///< for the lowest cell of each group: its piece of the power shape
