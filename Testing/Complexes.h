@@ -50,6 +50,11 @@ inline validators::Complex complexOf(const std::vector<medial::FacePolygon>& pol
   return complex;
 }
 
+inline medial::Betti bettiNumbers(const std::vector<medial::FacePolygon>& polygons)
+{
+  return validators::bettiNumbers(complexOf(polygons));
+}
+
 /// Each triangle and edge as one.
 inline std::vector<medial::FacePolygon> polygonsOf(const AxisCells& cells)
 {

@@ -86,6 +86,23 @@ Index FaceComplex::freeSide(Index polygon) const
   return None;
 }
 
+DisjointSets FaceComplex::joinedFaces() const
+{
+  DisjointSets result(count(this->polygons));
+  for (Index s = 0; s < this->sideCount(); ++s)
+  {
+    if (this->faceCount(s) == 2)
+    {
+      Index other = None;
+      this->forFacesAt(s, [&](Index p) {
+        result.unite(p, other == None ? p : other);
+        other = p;
+      });
+    }
+  }
+  return result;
+}
+
 std::vector<Index> FaceComplex::danglingSides() const
 {
   std::vector<Index> result(this->vertexCount(), 0);

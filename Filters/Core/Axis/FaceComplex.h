@@ -3,6 +3,7 @@
 #define medial_FaceComplex_h
 
 #include "Axis/FacePolygon.h"
+#include "Base/DisjointSets.h"
 #include "Base/Lists.h"
 #include "Base/Types.h"
 
@@ -51,6 +52,25 @@ public:
 
   /// A side that no other face has, or None.
   Index freeSide(Index polygon) const;
+
+  /// Faces joined over sides with exactly two, by their lowest ones.
+  DisjointSets joinedFaces() const;
+
+  /// The faces of each piece.
+  /// @param pieceOf  pieceOf(face): the lowest face of its piece
+  template <typename PieceOf>
+  IndexLists facesOfPieces(const PieceOf& pieceOf) const
+  {
+    return listsByKey(count(this->polygons), [&](const auto& add) {
+      for (Index p = 0; p < count(this->polygons); ++p)
+      {
+        if (this->isFace(p))
+        {
+          add(pieceOf(p), p);
+        }
+      }
+    });
+  }
 
   /// For each vertex: how many of its sides are in no face?
   std::vector<Index> danglingSides() const;

@@ -9,37 +9,21 @@
 #include <algorithm>
 #include <iterator>
 
-// Patches are found in linear time; what is sorted, the sides of a patch and of a membrane, is short.
+// The sides of each patch are sorted: O(n log n) time for n faces.
 
 namespace medial
 {
 namespace
 {
-/// Patches: faces joined over sides with exactly two.
+/// Patches: what FaceComplex::joinedFaces joins.
 class Patches
 {
 public:
   explicit Patches(const FaceComplex& faceComplex)
     : faces(faceComplex)
-    , patches(count(faceComplex.polygons))
+    , patches(faceComplex.joinedFaces())
+    , facesOfPatch(faceComplex.facesOfPieces([this](Index p) { return this->patches.find(p); }))
   {
-    for (Index s = 0; s < this->faces.sideCount(); ++s)
-    {
-      if (this->faces.faceCount(s) == 2)
-      {
-        const std::vector<Index> at = this->faces.facesAt(s);
-        this->patches.unite(at[0], at[1]);
-      }
-    }
-    this->facesOfPatch = listsByKey(count(this->faces.polygons), [&](const auto& add) {
-      for (Index p = 0; p < count(this->faces.polygons); ++p)
-      {
-        if (this->faces.isFace(p))
-        {
-          add(this->patches.find(p), p);
-        }
-      }
-    });
   }
 
   /// Of each membrane the sides, ascending.

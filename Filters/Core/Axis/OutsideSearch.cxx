@@ -33,11 +33,13 @@ Index OutsideSearch::piecesAround(Index cell, const OpenSet& set)
   {
     result += this->reached[label].label == label;
   }
-  for (const Index v : this->labelled)
+  for (const Reached& each : this->reached)
   {
-    this->labelOfVertex[v] = None;
+    for (const Index v : each.vertices)
+    {
+      this->labelOfVertex[v] = None;
+    }
   }
-  this->labelled.clear();
   return result;
 }
 
@@ -111,7 +113,6 @@ void OutsideSearch::visit(Index vertex, Index label)
     return;
   }
   known = label;
-  this->labelled.push_back(vertex);
   this->reached[label].vertices.push_back(vertex);
   if (this->isOnHull[vertex])
   {

@@ -51,7 +51,6 @@ private:
   IndexLists cellsOfVertex;         ///< once they are needed
   std::vector<char> isOnHull;       ///< for each vertex
   std::vector<Index> labelOfVertex; ///< during a search, else None
-  std::vector<Index> labelled;
   std::vector<Reached> reached;
 };
 }

@@ -26,15 +26,7 @@ template <typename PieceOf>
 void removePieces(FaceComplex& faces, const FaceGeometry& geometry, const PieceOf& pieceOf)
 {
   const Index polygonCount = count(faces.polygons);
-  const IndexLists facesOfPiece = listsByKey(polygonCount, [&](const auto& add) {
-    for (Index p = 0; p < polygonCount; ++p)
-    {
-      if (faces.isFace(p))
-      {
-        add(pieceOf(p), p);
-      }
-    }
-  });
+  const IndexLists facesOfPiece = faces.facesOfPieces(pieceOf);
   IndexLists verticesOfPiece;
   std::vector<Index> lastPiece(faces.vertexCount(), None);
   std::vector<Index> uses = faces.danglingSides(); // and pieces, at each vertex
@@ -88,18 +80,7 @@ std::vector<char> takeRemaining(const FaceComplex& faces, std::vector<FacePolygo
 /// Pieces joined over sides with exactly two faces.
 void removeFlaps(FaceComplex& faces, const FaceGeometry& geometry)
 {
-  DisjointSets pieces(count(faces.polygons));
-  for (Index s = 0; s < faces.sideCount(); ++s)
-  {
-    if (faces.faceCount(s) == 2)
-    {
-      Index other = None;
-      faces.forFacesAt(s, [&](Index p) {
-        pieces.unite(p, other == None ? p : other);
-        other = p;
-      });
-    }
-  }
+  DisjointSets pieces = faces.joinedFaces();
   removePieces(faces, geometry, [&pieces](Index p) { return pieces.find(p); });
 }
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <random>
 
+using complexes::bettiNumbers;
 using complexes::Drawing;
 using complexes::partCount;
 using medial::Edge;
@@ -18,11 +19,6 @@ using medial::Point;
 
 namespace
 {
-medial::Betti bettiNumbers(const std::vector<FacePolygon>& polygons)
-{
-  return validators::bettiNumbers(complexes::complexOf(polygons));
-}
-
 const Point x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 /// A square with a hole in the middle, one cell wide around it.

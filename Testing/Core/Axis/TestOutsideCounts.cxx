@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/OutsideCounts.h"
-#include "Base/Triangulations.h"
-#include "Shapes.h"
+#include "CloudSites.h"
 
 #include <gtest/gtest.h>
 
@@ -61,16 +60,6 @@ struct Closed
     }
   }
 };
-
-SiteTriangulation cloudSites()
-{
-  SiteTriangulation sites;
-  const std::vector<medial::Point> points = shapes::cloud(60, 4);
-  sites.mesh = medial::delaunay(points);
-  sites.siteCount = medial::count(points);
-  sites.edges = medial::edgeNumbers(sites.mesh.cells, sites.siteCount);
-  return sites;
-}
 
 /// What a cell shares with other cells that are not in a set, and with the hull, by looking at all.
 Closed sharedByAll(const SiteTriangulation& sites, const std::vector<char>& isIn, Index cell)
@@ -165,7 +154,7 @@ TEST(OutsideCounts, ThePieceAndTheRestOfTheBoundaryFitTogether)
 
 TEST(OutsideCounts, CountsWhileCellsComeAndGo)
 {
-  const SiteTriangulation sites = cloudSites();
+  const SiteTriangulation sites = cloudSites(60, 4);
   const Index cells = medial::count(sites.mesh.cells);
   std::vector<char> isIn(cells, 0);
   OutsideCounts outside(sites);

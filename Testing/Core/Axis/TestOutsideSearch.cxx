@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Axis/OutsideSearch.h"
-#include "Base/Triangulations.h"
-#include "Shapes.h"
+#include "CloudSites.h"
 
 #include <gtest/gtest.h>
 
@@ -12,19 +11,6 @@ using medial::Index;
 using medial::OpenSet;
 using medial::SiteTriangulation;
 
-namespace
-{
-SiteTriangulation cloudSites(unsigned seed)
-{
-  SiteTriangulation sites;
-  const std::vector<medial::Point> points = shapes::cloud(300, seed);
-  sites.mesh = medial::delaunay(points);
-  sites.siteCount = medial::count(points);
-  sites.edges = medial::edgeNumbers(sites.mesh.cells, sites.siteCount);
-  return sites;
-}
-}
-
 // A cell outside is in one piece of the outside. If it joins the set, what is around it becomes several pieces: each but one
 // is a void more.
 TEST(OutsideSearch, TellsHowManyVoidsACellMakes)
@@ -33,7 +19,7 @@ TEST(OutsideSearch, TellsHowManyVoidsACellMakes)
   for (unsigned seed = 0; seed < 80; ++seed)
   {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    const SiteTriangulation sites = cloudSites(seed);
+    const SiteTriangulation sites = cloudSites(300, seed);
     std::mt19937 random(seed);
     OpenSet set{ std::vector<char>(sites.mesh.cells.size(), 0) };
     for (char& isIn : set.cells)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+using complexes::bettiNumbers;
 using complexes::Drawing;
 using complexes::partCount;
 using medial::Edge;
@@ -43,24 +44,6 @@ Drawn drawn(const Drawing& drawing, std::vector<Point> sites, const SitesOf& sit
     result.polygons.push_back({ { edge[0], edge[1] }, None });
   }
   return result;
-}
-
-medial::Betti bettiNumbers(const std::vector<FacePolygon>& polygons)
-{
-  validators::Complex complex;
-  for (const FacePolygon& polygon : polygons)
-  {
-    const std::vector<Index>& c = polygon.corners;
-    if (c.size() == 2)
-    {
-      complex.edges.push_back({ c[0], c[1] });
-    }
-    else
-    {
-      complex.triangles.push_back({ c[0], c[1], c[2] });
-    }
-  }
-  return validators::bettiNumbers(complex);
 }
 
 /// At one of three equal angles about the z axis.

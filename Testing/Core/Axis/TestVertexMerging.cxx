@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <random>
 
+using complexes::bettiNumbers;
 using complexes::polygonsOf;
 using medial::FacePolygon;
 using medial::Index;
@@ -15,11 +16,6 @@ using medial::Point;
 
 namespace
 {
-medial::Betti bettiNumbers(const std::vector<FacePolygon>& polygons)
-{
-  return validators::bettiNumbers(complexes::complexOf(polygons));
-}
-
 std::vector<std::vector<Index>> simplePolygons(const std::vector<Index>& walk)
 {
   std::vector<FacePolygon> polygons;
