@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace medial
@@ -68,8 +69,14 @@ public:
   /// value, which decides nothing: removed parts have at most the threshold anyway.
   void inherit(PruneRound& round, const std::vector<Index>& removed);
 
-  /// Forgets what parts took over from removed ones: a new iteration begins.
-  void forgetInheritance() { this->inherited.clear(); }
+  /// What the part of a cell took over from removed ones in this iteration.
+  using Inheritance = std::map<Index, double>;
+
+  /// A new iteration begins. @return  what is forgotten
+  Inheritance forgetInheritance() { return std::exchange(this->inherited, {}); }
+
+  /// It doesn't begin after all.
+  void remember(Inheritance forgotten) { this->inherited = std::move(forgotten); }
 
   /// The parts that share a point with this one, ascending. Some of them may be gone by now.
   const std::vector<Index>& neighbors(const PruneRound& round, Index part);
@@ -87,7 +94,7 @@ private:
   std::shared_ptr<Partition> current; ///< of the living cells; none after a removal
   std::optional<Measure> measured;    ///< the measure that `significance` is in
   std::vector<double> significance;   ///< of the current parts, without what they took over
-  std::map<Index, double> inherited;  ///< what the part of a cell took over in this iteration
+  Inheritance inherited;
 
   // Marks for neighbors(): a number per walk saves clearing them.
   std::vector<Index> visitedIn; ///< for each point the last walk that came there

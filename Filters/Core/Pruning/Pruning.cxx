@@ -105,8 +105,9 @@ bool hasDropped(const PruneRun& run)
 /// The relative volume up to which parts may go now; 0: none.
 double suggestedVolume(PruneRun& run)
 {
-  run.rounds.forgetInheritance();
+  PruneRounds::Inheritance forgotten = run.rounds.forgetInheritance();
   const PruneRound round = run.rounds.next(Measure::RelativeVolume);
+  run.rounds.remember(std::move(forgotten));
   std::vector<RankedPart> parts;
   for (Index part = 0; part < count(round.significance); ++part)
   {
