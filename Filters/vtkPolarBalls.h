@@ -24,11 +24,13 @@
  *  - `Side` (unsigned char): 0 outer, 1 inner, 2 hidden (it has no cell in the power diagram).
  *  - `TouchesGuard` (unsigned char, 0 or 1): it passes through a corner of the cube around the samples.
  *  - `Volume` (double): of the Delaunay cells that count for it; 0 where it is not inner.
- *  - `PoleVolume` (double): of only the cells whose circumsphere the ball is.
+ *  - `PoleVolume` (double): of only the cells for whose circumsphere the ball stands.
  *
  * Field data, one entry for each sample, in the order of the input
  *  - `Samples` (double, 3 components): where it is.
- *  - `SampleInnerBall`, `SampleOuterBall` (vtkIdType): its ball inside and outside, or -1.
+ *  - `SampleInnerBall`, `SampleOuterBall` (vtkIdType): its ball inside and outside, or -1. Where poles crowd, as
+ *    near the axis of a tube, one ball stands for all; it passes their samples within a hundredth of the
+ *    distance of these to the next sample.
  *
  * Field data, lists: the samples on ball i, ascending, are `BallSamples`[`BallSampleOffsets`[i]] ...
  * `BallSamples`[`BallSampleOffsets`[i + 1] - 1] (vtkIdType).

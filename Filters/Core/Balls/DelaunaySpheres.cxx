@@ -119,10 +119,11 @@ void findClasses(DelaunaySpheres& spheres, const Execution& execution)
     spheres.ballOfCell[c] = own[seedOfCell[c]];
   }
 }
-double meanSpacing(const DelaunaySpheres& spheres)
+
+std::vector<double> nearestDistances(const DelaunaySpheres& spheres)
 {
   // The nearest neighbour of a point is a Delaunay neighbour, so the edges of the cells are enough.
-  std::vector<double> shortest(spheres.sampleCount, std::numeric_limits<double>::infinity());
+  std::vector<double> result(spheres.sampleCount, std::numeric_limits<double>::infinity());
   for (const Tetrahedron& cell : spheres.delaunay.cells)
   {
     for (const auto& [i, j] : cellEdges)
@@ -131,18 +132,23 @@ double meanSpacing(const DelaunaySpheres& spheres)
       if (a < spheres.sampleCount && b < spheres.sampleCount)
       {
         const double length = (spheres.points[a] - spheres.points[b]).norm();
-        shortest[a] = length < coincident ? shortest[a] : std::min(shortest[a], length);
-        shortest[b] = length < coincident ? shortest[b] : std::min(shortest[b], length);
+        result[a] = length < coincident ? result[a] : std::min(result[a], length);
+        result[b] = length < coincident ? result[b] : std::min(result[b], length);
       }
     }
   }
+  return result;
+}
+
+double meanOfFinite(const std::vector<double>& values)
+{
   double sum = 0;
   Index finite = 0;
-  for (const double length : shortest)
+  for (const double value : values)
   {
-    if (std::isfinite(length))
+    if (std::isfinite(value))
     {
-      sum += length;
+      sum += value;
       ++finite;
     }
   }
@@ -161,7 +167,8 @@ DelaunaySpheres delaunaySpheres(
     result.points.push_back(guard);
   }
   result.delaunay = delaunay(result.points, execution);
-  result.meanSpacing = meanSpacing(result);
+  result.nearest = nearestDistances(result);
+  result.meanSpacing = meanOfFinite(result.nearest);
   result.precision = std::min(precision, leastPrecision * result.meanSpacing);
   measureCells(result, execution);
   findClasses(result, execution);

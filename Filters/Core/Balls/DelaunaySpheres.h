@@ -22,9 +22,10 @@ struct DelaunaySpheres
   Index sampleCount;
   double precision; ///< how far samples may be from where they were meant to be, at most
 
-  /// Mean distance of a sample to the nearest other one. Two samples closer than `coincident` are the
-  /// same up to rounding and don't count as neighbours. 0 where no two samples do.
-  double meanSpacing;
+  /// Distance of each sample to the nearest other one. Two samples closer than `coincident` are the same up to
+  /// rounding and don't count as neighbours. Infinite where there is no other one.
+  std::vector<double> nearest;
+  double meanSpacing; ///< mean of the finite distances, 0 where there is none
 
   Tetrahedra delaunay;
   // One entry for each cell.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Balls/PolarBalls.h"
 
+#include "Balls/CrowdedPoles.h"
 #include "Balls/DelaunaySpheres.h"
 #include "Balls/DistinctSamples.h"
 #include "Balls/MarkedBetti.h"
@@ -17,7 +18,7 @@
 #include <limits>
 
 // Steps: Delaunay triangulation of samples and guards; the poles of each sample; a ball for each class
-// of cells that is somebody's pole; the balls' regular triangulation; their sides; their volumes.
+// of cells that is somebody's pole, but one for those that crowd; the balls' regular triangulation; their sides; their volumes.
 // Samples are numbered in lexicographic order here, and by `ids` as in the input where they leave. All
 // lengths are in the frame until the end. n samples have at most 2n balls, but more where the samples are
 // regular; all steps take O(n log n) time in practice; the two triangulations take most of it.
@@ -25,34 +26,37 @@ namespace medial
 {
 namespace
 {
-/// Makes a ball of every class that is a pole.
-/// @return  for each cell the ball of its class, or None
+/// Makes a ball of every pole that stands for itself.
+/// @param standing  see standingPoles()
+/// @return  for each cell the ball that stands for its class, or None
 std::vector<Index> numberBalls(
-  const DelaunaySpheres& spheres, const std::vector<char>& isPole, PolarBalls& result)
+  const DelaunaySpheres& spheres, const std::vector<Index>& standing, PolarBalls& result)
 {
-  std::vector<Index> ballOfCell(isPole.size(), None);
-  for (Index c = 0; c < count(isPole); ++c)
+  std::vector<Index> ballOfPole(standing.size(), None);
+  for (Index c = 0; c < count(standing); ++c)
   {
-    const Index first = spheres.classOfCell[c];
-    if (c == first && isPole[c])
+    if (standing[c] == c)
     {
-      ballOfCell[c] = count(result.balls);
+      ballOfPole[c] = count(result.balls);
       result.balls.push_back(spheres.ballOfCell[c]);
     }
-    ballOfCell[c] = ballOfCell[first];
   }
+  std::vector<Index> ballOfCell(standing.size());
+  std::transform(spheres.classOfCell.begin(), spheres.classOfCell.end(), ballOfCell.begin(),
+    [&](Index c) { return standing[c] == None ? None : ballOfPole[standing[c]]; });
   return ballOfCell;
 }
 
 /// Fills ballSamples, with numbers of the input, and touchesGuard.
-void collectSamples(const DelaunaySpheres& spheres, const std::vector<Index>& ballOfCell,
-  const std::vector<Index>& ids, PolarBalls& result)
+void collectSamples(const DelaunaySpheres& spheres, const std::vector<Index>& standing,
+  const std::vector<Index>& ballOfCell, const std::vector<Index>& ids, PolarBalls& result)
 {
   result.touchesGuard.assign(result.balls.size(), 0);
   const IndexLists cells = listsByKey(count(result.balls), [&](const auto& add) {
     for (Index c = 0; c < count(ballOfCell); ++c)
     {
-      if (ballOfCell[c] != None)
+      const Index itsClass = spheres.classOfCell[c];
+      if (ballOfCell[c] != None && standing[itsClass] == itsClass)
       {
         add(ballOfCell[c], c);
       }
@@ -251,10 +255,15 @@ PolarBalls ballsWithoutSides(const std::vector<Point>& samples, const Execution&
   const DistinctSamples distinct = distinctSamples(samples);
   const DelaunaySpheres spheres =
     delaunaySpheres(distinct.points, distinct.precision * distinct.frame.scale, execution);
+  const std::vector<char> isPole = poles(spheres).isPole;
+  std::vector<Index> standing(isPole.size()); // each for itself: which ones crowd depends on all
+  for (Index c = 0; c < count(standing); ++c)
+  {
+    standing[c] = isPole[c] ? c : None;
+  }
   PolarBalls result;
   result.samples = samples;
-  collectSamples(
-    spheres, numberBalls(spheres, poles(spheres).isPole, result), distinct.ids, result);
+  collectSamples(spheres, standing, numberBalls(spheres, standing, result), distinct.ids, result);
   toWorld(distinct.frame, result);
   return result;
 }
@@ -271,8 +280,9 @@ PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
   PolarBallsAndSamples made;
   PolarBalls& result = made.balls;
   result.samples = samples;
-  const std::vector<Index> ballOfCell = numberBalls(spheres, polesOfSamples.isPole, result);
-  collectSamples(spheres, ballOfCell, distinct.ids, result);
+  const std::vector<Index> standing = standingPoles(spheres, polesOfSamples);
+  const std::vector<Index> ballOfCell = numberBalls(spheres, standing, result);
+  collectSamples(spheres, standing, ballOfCell, distinct.ids, result);
   result.triangulation = powerCells(result.balls, execution.between(0.2, 0.8));
   const Tetrahedra& mesh = result.triangulation;
   const std::vector<Edge> edges = edgeNumbers(mesh.cells, count(result.balls)).edges;

@@ -25,16 +25,18 @@ struct PolarBalls
 {
   // One entry for each sample, in the order of the input.
   std::vector<Point> samples;
+  // A sample whose pole is in a crowd is near to its ball, but not on it; see standingPoles().
   std::vector<Index> innerBall; ///< its ball inside the solid, or None
   std::vector<Index> outerBall; ///< its ball outside the solid, or None
 
   // One entry for each ball.
   std::vector<Ball> balls;
   std::vector<Side> sides;
-  std::vector<char> touchesGuard;  ///< passes through a corner of the cube around the samples
-  std::vector<double> volumes;     ///< of the Delaunay cells that count for it; 0 where not inner
-  std::vector<double> poleVolumes; ///< of only the cells whose circumsphere it is (paper 4.2)
-  IndexLists ballSamples;          ///< all samples on its sphere, ascending
+  std::vector<char> touchesGuard; ///< passes through a corner of the cube around the samples
+  std::vector<double> volumes;    ///< of the Delaunay cells that count for it; 0 where not inner
+  std::vector<double>
+    poleVolumes;          ///< of only the cells for whose circumsphere it stands (paper 4.2)
+  IndexLists ballSamples; ///< all samples on its sphere, ascending
 
   double spacing = 0; ///< mean distance of a distinct sample to the nearest other one
 
