@@ -97,7 +97,10 @@ private:
 void addTriangles(const std::vector<FacePolygon>& polygons, const SiteTriangulation& sites,
   const SingularPoints& singularPoints, const Frame& frame, EdgeSet& edges, AxisComplex& axis)
 {
-  TriangleTable known(2 * polygons.size());
+  // Two polygons of three corners may be the same triangle, which counts for the first of them. All others have a
+  // diagonal of their own.
+  const auto isTriangle = [](const FacePolygon& polygon) { return polygon.corners.size() == 3; };
+  TriangleTable known(std::count_if(polygons.begin(), polygons.end(), isTriangle));
   AddedCentroids centroids(frame);
   Index number = 0;
   for (const FacePolygon& polygon : polygons)
@@ -118,10 +121,9 @@ void addTriangles(const std::vector<FacePolygon>& polygons, const SiteTriangulat
     {
       radius += axis.radii[p] / static_cast<double>(polygon.corners.size());
     }
-    // Two polygons may have the same three corners; such a triangle counts for the first of them.
     for (const Triangle& triangle : triangulate(polygon.corners, axis.points, edges))
     {
-      if (known.insert(triangle, number))
+      if (!isTriangle(polygon) || known.insert(triangle, number))
       {
         axis.cells.triangles.push_back(triangle);
         axis.polygonOfCell.push_back(number);
