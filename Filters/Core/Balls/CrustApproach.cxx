@@ -36,7 +36,10 @@ public:
       const Execution part =
         execution.between(round / double(rounds), (round + 1) / double(rounds));
       BoundarySamples more = this->addAround(faces, made.balls, samples, part.between(0, 0));
-      if (more.points.size() == samples.points.size())
+      // What is left after the first round is the hardest: often other faces become far then.
+      if (more.points.size() == samples.points.size() ||
+        (round > 0 &&
+          badness(this->farFacesAround(faces, made.balls, more, reach, part)) >= badness(faces)))
       {
         break;
       }
@@ -66,6 +69,7 @@ private:
   static constexpr double wanted = 0.96 * told; // other places of a face may be a little farther
   static constexpr double most = 0.9 * wanted;  // nearly as far
   static constexpr double reach = 8;            // spacings: the balls there change with a sample
+  static constexpr double next = 3;             // spacings: where it is tried for a face
 
   static std::array<Index, 2> badness(const std::vector<FarFace>& faces)
   {
@@ -109,17 +113,17 @@ private:
       const bool isNew =
         this->sampler.add(placesOf(left), tried, aparts[round % aparts.size()]) > 0;
       spots.add(tried, before);
-      spots.judge(isNew ? this->farFacesAround(unsolved, balls, tried, execution) : left);
+      spots.judge(isNew ? this->farFacesAround(unsolved, balls, tried, next, execution) : left);
     }
     return spots.with(samples, &FarSpot::best);
   }
 
-  /// The far faces next to those that were far.
-  /// @param balls  of the samples before some were added
+  /// The far faces around those that were far.
+  /// @param balls     of the samples before some were added
+  /// @param distance  so far around them, in spacings
   std::vector<FarFace> farFacesAround(const std::vector<FarFace>& faces, const PolarBalls& balls,
-    const BoundarySamples& samples, const Execution& execution) const
+    const BoundarySamples& samples, double distance, const Execution& execution) const
   {
-    constexpr double next = 3; // spacings
     const std::vector<Point> all = positions(samples.points);
     const Neighbors neighbors(all);
     std::vector<Index> core;
@@ -139,7 +143,8 @@ private:
     const Neighbors farPlaces(places);
     const auto isElsewhere = [&](const Point& place) {
       const Index nearest = farPlaces.nearestOne(place);
-      return nearest == None || (places[nearest] - place).norm() > next * faces[nearest].spacing;
+      return nearest == None ||
+        (places[nearest] - place).norm() > distance * faces[nearest].spacing;
     };
     return farFaces(
       made.balls, points, this->tree, most, { this->sharpEdges(), isElsewhere }, execution);
