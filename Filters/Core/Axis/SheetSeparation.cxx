@@ -40,6 +40,7 @@ public:
     : faces(faceComplex)
     , geometry(faceGeometry)
     , sheets(faceComplex, faceGeometry)
+    , reachedIn(faceComplex.polygons.size(), 0)
   {
   }
 
@@ -158,6 +159,11 @@ private:
     {
       reached.assign(path.begin() + 1, path.end() - 1);
     }
+    ++this->walks;
+    for (const Index p : reached)
+    {
+      this->reachedIn[p] = this->walks;
+    }
     for (std::size_t begin = 0; begin < reached.size();)
     {
       const std::size_t end = reached.size();
@@ -184,7 +190,7 @@ private:
   }
 
   /// Appends the faces next to one that have a corner near a vertex.
-  void reachNext(Index face, Index vertex, double reach, std::vector<Index>& reached) const
+  void reachNext(Index face, Index vertex, double reach, std::vector<Index>& reached)
   {
     const auto isNear = [&](Index v) {
       return (this->geometry.points[v] - this->geometry.points[vertex]).norm() < reach;
@@ -197,9 +203,10 @@ private:
       }
       this->faces.forFacesAt(s, [&](Index q) {
         const std::vector<Index>& corners = this->faces.polygons[q].corners;
-        if (std::find(reached.begin(), reached.end(), q) == reached.end() &&
+        if (this->reachedIn[q] != this->walks &&
           std::any_of(corners.begin(), corners.end(), isNear))
         {
+          this->reachedIn[q] = this->walks;
           reached.push_back(q);
         }
       });
@@ -230,6 +237,8 @@ private:
   FaceComplex& faces;
   const FaceGeometry& geometry;
   Sheets sheets;
+  std::vector<Index> reachedIn; ///< for each face the last walk of cut() that reached it
+  Index walks = 0;
 };
 }
 

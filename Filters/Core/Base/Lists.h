@@ -80,13 +80,18 @@ Lists<Item> listsByKey(Index keyCount, const ForAll& forAll)
 /// @param lists  ascending
 inline Index lowestCommonItem(const IndexLists& lists, const Tetrahedron& chosen)
 {
-  for (const Index item : lists[chosen[0]])
+  // The shortest list is walked through: some have most items of all.
+  Tetrahedron order = chosen;
+  std::swap(order[0], *std::min_element(order.begin(), order.end(), [&](Index a, Index b) {
+    return lists[a].size() < lists[b].size();
+  }));
+  for (const Index item : lists[order[0]])
   {
     const auto hasItem = [&](Index number) {
       const IndexLists::View list = lists[number];
       return std::binary_search(list.begin(), list.end(), item);
     };
-    if (hasItem(chosen[1]) && hasItem(chosen[2]) && hasItem(chosen[3]))
+    if (hasItem(order[1]) && hasItem(order[2]) && hasItem(order[3]))
     {
       return item;
     }
