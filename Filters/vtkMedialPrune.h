@@ -101,7 +101,7 @@ public:
     TRIANGLE_COUNT = 0,       ///< triangles, lines or vertices
     RELATIVE_VOLUME = 1,      ///< share of the solid's volume, 0 ... 1
     RELATIVE_POLE_VOLUME = 2, ///< the same of its poles alone, the paper's literal definition
-    AREA = 3,                 ///< of its triangles; square of the samples' unit
+    AREA = 3,                 ///< of its triangles; square of the samples' unit; curves stay
     MEAN_RADIUS = 4,          ///< of the maximal balls at its points; length
     MAXIMUM_RADIUS = 5,       ///< of the maximal balls at its points; length
     OBJECT_ANGLE = 6,         ///< mean angle at which a cell sees its two sites; 0 ... 180 degrees

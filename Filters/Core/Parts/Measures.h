@@ -35,7 +35,7 @@ enum class Measure
   /// literally. A pole that several parts share counts in each, so that the values do not sum to 1.
   RelativePoleVolume = 2,
 
-  /// Area of its triangles; 0 for lines and vertices.
+  /// Area of its triangles; 0 for lines and vertices, which no threshold removes.
   Area = 3,
 
   /// Mean and maximum radius of the maximal balls at its points, each point once.
@@ -83,6 +83,7 @@ struct MeasureTraits
   char letter;           ///< of its words in a schedule
   Unit unit;
   bool addsUp; ///< the value of several parts together is the sum of theirs; else the largest
+  bool tellsOfCurves; ///< else it is 0 for parts without triangles, and no threshold removes them
   const char* reference;   ///< where the formula is from, see the bibliography
   const char* description; ///< in a few words
   /// For each part of a partition its value, never negative.

@@ -2,6 +2,7 @@
 #include "Pruning/PruneRound.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace medial
 {
@@ -67,6 +68,13 @@ PruneRound PruneRounds::next(Measure measure)
   {
     this->significance = this->measures.significance(measure, *this->current, this->execution);
     this->measured = measure;
+    for (Index part = 0; part < count(this->significance); ++part)
+    {
+      if (this->current->dimension[part] < 2 && !traitsOf(measure).tellsOfCurves)
+      {
+        this->significance[part] = std::numeric_limits<double>::infinity();
+      }
+    }
   }
   PruneRound round;
   round.partition = this->current;

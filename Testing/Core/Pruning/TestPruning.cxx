@@ -105,6 +105,19 @@ TEST(Pruning, WithThresholdZeroRemovesNoTriangle)
   });
 }
 
+// They have no area and no border of a sheet, and would go whatever the threshold: a rod would shrink to a point.
+TEST(Pruning, ByAreaOrBorderLeavesCurvesAlone)
+{
+  forEachShape([](Pipeline& p) {
+    for (const Measure measure : { Measure::Area, Measure::BoundaryLength })
+    {
+      const Pruned pruned = medial::prune(p.axis(), once(measure, 1e9));
+      EXPECT_EQ(pruned.axis.cells.edges.size(), p.axis().cells.edges.size());
+      EXPECT_EQ(pruned.axis.cells.vertices.size(), p.axis().cells.vertices.size());
+    }
+  });
+}
+
 // No part may be just below a threshold: it can have been kept for the slivers that it took over. The
 // small sheets of the box have a hundredth of the volume each.
 TEST(Pruning, UntilNothingChangesLeavesNothingToDo)
