@@ -13,19 +13,17 @@ namespace
 class Crowds
 {
 public:
-  Crowds(const DelaunaySpheres& theSpheres, const std::vector<char>& isPole)
+  Crowds(const DelaunaySpheres& theSpheres, const Poles& poles)
     : spheres(theSpheres)
-    , standing(isPole.size(), None)
-    , stands(isPole.size(), 0)
-    , cellCount(isPole.size(), 0)
-    , foundCount(isPole.size(), 0)
-    , foundBy(isPole.size(), None)
+    , standing(polesAlone(poles))
+    , stands(this->standing.size(), 0)
+    , cellCount(this->standing.size(), 0)
+    , foundCount(this->standing.size(), 0)
+    , foundBy(this->standing.size(), None)
   {
-    for (Index c = 0; c < count(isPole); ++c)
+    for (const Index itsClass : theSpheres.classOfCell)
     {
-      const Index itsClass = theSpheres.classOfCell[c];
       ++this->cellCount[itsClass];
-      this->standing[c] = itsClass == c && isPole[c] ? c : None;
     }
   }
 
@@ -105,7 +103,7 @@ private:
   /// Is its sphere so similar to the ball that this can stand for it?
   bool isLike(Index cell, const Ball& ball) const
   {
-    // The two poles of a sample are farther apart than either of their spheres is wide.
+    // The two poles of a sample are farther apart than either radius, so that no ball stands for both.
     constexpr double ofSpacing = 0.5, ofRadius = 0.25;
     const double apart = (this->spheres.ballOfCell[cell].center - ball.center).norm();
     const Tetrahedron& corners = this->spheres.delaunay.cells[cell];
@@ -128,6 +126,16 @@ private:
 
 std::vector<Index> standingPoles(const DelaunaySpheres& spheres, const Poles& poles)
 {
-  return Crowds(spheres, poles.isPole).run();
+  return Crowds(spheres, poles).run();
+}
+
+std::vector<Index> polesAlone(const Poles& poles)
+{
+  std::vector<Index> result(poles.isPole.size());
+  for (Index c = 0; c < count(result); ++c)
+  {
+    result[c] = poles.isPole[c] ? c : None;
+  }
+  return result;
 }
 }

@@ -21,6 +21,9 @@ constexpr double crowdPrecision = 0.01;
 /// O(n log n) time for n cells.
 /// @return  for each pole, by its class, the one that stands for it or itself; None for classes that are no poles
 std::vector<Index> standingPoles(const DelaunaySpheres& spheres, const Poles& poles);
+
+/// The same where no poles crowd: each stands for itself.
+std::vector<Index> polesAlone(const Poles& poles);
 }
 
 #endif

@@ -255,12 +255,7 @@ PolarBalls ballsWithoutSides(const std::vector<Point>& samples, const Execution&
   const DistinctSamples distinct = distinctSamples(samples);
   const DelaunaySpheres spheres =
     delaunaySpheres(distinct.points, distinct.precision * distinct.frame.scale, execution);
-  const std::vector<char> isPole = poles(spheres).isPole;
-  std::vector<Index> standing(isPole.size()); // each for itself: which ones crowd depends on all
-  for (Index c = 0; c < count(standing); ++c)
-  {
-    standing[c] = isPole[c] ? c : None;
-  }
+  const std::vector<Index> standing = polesAlone(poles(spheres)); // all samples decide which crowd
   PolarBalls result;
   result.samples = samples;
   collectSamples(spheres, standing, numberBalls(spheres, standing, result), distinct.ids, result);
