@@ -71,6 +71,7 @@ constexpr const char* PoleVolume = "PoleVolume";
 constexpr const char* Samples = "Samples";
 constexpr const char* SampleInnerBall = "SampleInnerBall";
 constexpr const char* SampleOuterBall = "SampleOuterBall";
+constexpr const char* SampleNormals = "SampleNormals"; // only where they are known
 // ... field data, lists of samples, one list for each ball
 constexpr const char* BallSampleOffsets = "BallSampleOffsets";
 constexpr const char* BallSamples = "BallSamples";

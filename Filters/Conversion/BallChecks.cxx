@@ -121,6 +121,19 @@ void checkSamplesOnBalls(const PolarBalls& balls, double movedHere)
   }
 }
 
+void checkNormals(const std::vector<Point>& normals)
+{
+  for (Index s = 0; s < count(normals); ++s)
+  {
+    if (!normals[s].isZero() && !(std::abs(normals[s].norm() - 1) <= moved))
+    {
+      throw InvalidInput("the field array '", names::SampleNormals, "' has a normal of length ",
+        normals[s].norm(), " at ", s, "; its length is 1, or 0 where it isn't known: ",
+        TakePolarBalls);
+    }
+  }
+}
+
 /// Has each sample an inner ball that is inside, and an outer one that is outside?
 void checkBallsOfSamples(
   const PolarBalls& balls, const std::vector<Index>& ballOfSample, Side side, const char* name)
@@ -146,6 +159,7 @@ void checkBalls(PolarBalls& balls)
   checkVolumes(balls);
   const double movedHere = movedIn(balls.samples);
   checkSamplesOnBalls(balls, movedHere);
+  checkNormals(balls.normals);
   checkBallsOfSamples(balls, balls.innerBall, Side::Inner, names::SampleInnerBall);
   checkBallsOfSamples(balls, balls.outerBall, Side::Outer, names::SampleOuterBall);
   // Distances below `coincident` don't count for it. Far smaller ones would have the crust refined for ever.

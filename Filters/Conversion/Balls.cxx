@@ -50,6 +50,19 @@ std::vector<Tetrahedron> readTetrahedra(vtkUnstructuredGrid* input, Index pointC
   return readCells<4>(input->GetCells(), pointCount, TakePolarBalls);
 }
 
+std::vector<Point> readVectors(const Arrays& arrays, const char* name, vtkIdType size)
+{
+  const std::vector<double> flat =
+    arrays.reals(name, size, std::numeric_limits<double>::lowest(), 3);
+  std::vector<Point> result;
+  result.reserve(flat.size() / 3);
+  for (std::size_t i = 0; i < flat.size(); i += 3)
+  {
+    result.emplace_back(flat[i], flat[i + 1], flat[i + 2]);
+  }
+  return result;
+}
+
 void addInnerRadii(vtkFieldData* data, const PolarBalls& balls)
 {
   std::vector<double> radii;
@@ -65,6 +78,10 @@ void addSamples(vtkFieldData* field, const PolarBalls& balls)
   field->AddArray(tuples<vtkDoubleArray>(names::Samples, 3, balls.samples));
   add<vtkIdTypeArray>(field, names::SampleInnerBall, balls.innerBall);
   add<vtkIdTypeArray>(field, names::SampleOuterBall, balls.outerBall);
+  if (!balls.normals.empty())
+  {
+    field->AddArray(tuples<vtkDoubleArray>(names::SampleNormals, 3, balls.normals));
+  }
   add<vtkIdTypeArray>(field, names::BallSampleOffsets, balls.ballSamples.offsets);
   add<vtkIdTypeArray>(field, names::BallSamples, balls.ballSamples.items);
 }
@@ -262,14 +279,12 @@ PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
   result.volumes = points.reals(names::Volume, ballCount, 0);
   result.poleVolumes = points.reals(names::PoleVolume, ballCount, 0);
 
-  const std::vector<double> samples =
-    field.reals(names::Samples, AnyCount, std::numeric_limits<double>::lowest(), 3);
-  result.samples.reserve(samples.size() / 3);
-  for (std::size_t i = 0; i < samples.size(); i += 3)
-  {
-    result.samples.emplace_back(samples[i], samples[i + 1], samples[i + 2]);
-  }
+  result.samples = readVectors(field, names::Samples, AnyCount);
   const Index sampleCount = toIndex(static_cast<vtkIdType>(result.samples.size()), "samples");
+  if (field.has(names::SampleNormals))
+  {
+    result.normals = readVectors(field, names::SampleNormals, sampleCount);
+  }
   result.innerBall = field.indices(names::SampleInnerBall, sampleCount, None, ballCount);
   result.outerBall = field.indices(names::SampleOuterBall, sampleCount, None, ballCount);
   result.ballSamples =
@@ -286,7 +301,7 @@ void passFieldData(vtkUnstructuredGrid* balls, vtkFieldData* output)
 {
   output->PassData(balls->GetFieldData());
   for (const char* list : { names::Samples, names::SampleInnerBall, names::SampleOuterBall,
-         names::BallSampleOffsets, names::BallSamples })
+         names::SampleNormals, names::BallSampleOffsets, names::BallSamples })
   {
     output->RemoveArray(list);
   }

@@ -18,20 +18,6 @@ Point directionOf(const Point& normal)
   return normal.allFinite() && largest > 0 ? Point((normal / largest).normalized()) : Point::Zero();
 }
 
-/// See NormalVotes::normals.
-std::vector<Point> distinctNormals(
-  const std::vector<Point>& normals, const DistinctSamples& distinct)
-{
-  std::vector<Point> result(normals.size(), Point::Zero());
-  for (Index i = 0; i < count(normals); ++i)
-  {
-    const Index first = distinct.duplicateOf[i];
-    result[first == None ? i : first] += directionOf(normals[i]);
-  }
-  std::transform(result.begin(), result.end(), result.begin(), directionOf);
-  return result;
-}
-
 /// 1 where the ball is in front of the sample's normal, -1 behind, 0 not known.
 Index vote(const Point& normal, const Point& sample, const Ball& ball)
 {
@@ -106,6 +92,19 @@ std::vector<Point> placesOf(const DistinctSamples& distinct)
   }
   return result;
 }
+}
+
+std::vector<Point> distinctNormals(
+  const std::vector<Point>& normals, const DistinctSamples& distinct)
+{
+  std::vector<Point> result(normals.size(), Point::Zero());
+  for (Index i = 0; i < count(normals); ++i)
+  {
+    const Index first = distinct.duplicateOf[i];
+    result[first == None ? i : first] += directionOf(normals[i]);
+  }
+  std::transform(result.begin(), result.end(), result.begin(), directionOf);
+  return result;
 }
 
 NormalVotes normalVotes(const std::vector<Point>& normals, const DistinctSamples& distinct,

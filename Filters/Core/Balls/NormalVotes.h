@@ -15,8 +15,7 @@ namespace medial
 /// What the normals of samples tell of the sides of balls.
 struct NormalVotes
 {
-  /// For each sample, by its number in the input: its normal, outwards, of length 1. Zero where it has none
-  /// or counts as another one.
+  /// distinctNormals(), outwards.
   std::vector<Point> normals;
 
   /// For each ball: how many more of its samples have it in front of their normal than behind it. Positive:
@@ -26,9 +25,14 @@ struct NormalVotes
   Warnings warnings; ///< unusable_normals, inverted_normals, unoriented_normals
 };
 
+/// For each sample of the input its normal, of length 1. Zero where it has none or counts as another one. Samples that
+/// count as one share the sum of their directions.
+std::vector<Point> distinctNormals(
+  const std::vector<Point>& normals, const DistinctSamples& distinct);
+
 /// Each sample votes for the side of each ball that it lies on. Only directions count.
 ///
-/// Samples that count as one share the sum of their directions. A normal that is zero or not finite is no
+/// A normal that is zero or not finite is no
 /// normal. Balls that are surely outside (see sides()) tell what is wrong with all: where most votes say
 /// that they are inside, all normals point inwards, and are turned; where the votes disagree, normals
 /// have no common orientation, and are not used. Takes linear time.

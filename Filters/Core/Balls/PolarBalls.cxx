@@ -190,6 +190,7 @@ SampleDescription describeSamples(const DistinctSamples& distinct,
 struct DecidedSides
 {
   std::vector<Side> ofBall;
+  std::vector<Point> normals; ///< of the samples; empty where there are none that are of use
   Warnings warnings; ///< about normals
 };
 
@@ -199,10 +200,14 @@ DecidedSides decidedSides(const SideInput& input, const std::vector<Point>& norm
 {
   if (normals.empty())
   {
-    return { sides(input, execution), {} };
+    return { sides(input, execution), {}, {} };
   }
   const NormalVotes votes = normalVotes(normals, distinct, ballSamples, input);
-  DecidedSides result{ sides(input, execution, votes.ofBall), votes.warnings };
+  DecidedSides result{ sides(input, execution, votes.ofBall), {}, votes.warnings };
+  if (!votes.ofBall.empty())
+  {
+    result.normals = votes.normals;
+  }
   const Warnings more = normalWarnings(votes, distinct, input, result.ofBall);
   result.warnings.insert(result.warnings.end(), more.begin(), more.end());
   return result;
@@ -288,9 +293,11 @@ PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
     edges };
   const Execution labelling = execution.between(0.8, 0.9);
   const DecidedSides decided = solid
-    ? DecidedSides{ sidesIn(*solid, distinct.frame, evidence, labelling), {} }
+    ? DecidedSides{ sidesIn(*solid, distinct.frame, evidence, labelling),
+      distinctNormals(normals, distinct), {} }
     : decidedSides(evidence, normals, distinct, result.ballSamples, labelling);
   result.sides = decided.ofBall;
+  result.normals = decided.normals;
   measureVolumes(spheres, ballOfCell, ballsOfSample, result, execution);
   assignBalls(distinct, ballsOfSample, result);
   made.samples = describeSamples(distinct, ballsOfSample, result.balls);

@@ -28,6 +28,9 @@ struct PolarBalls
   // A sample whose pole is in a crowd is near to its ball, but not on it; see standingPoles().
   std::vector<Index> innerBall; ///< its ball inside the solid, or None
   std::vector<Index> outerBall; ///< its ball outside the solid, or None
+  /// Of the surface there, outwards, of length 1, or 0 where it has none or counts as another sample; empty where
+  /// samples came without normals.
+  std::vector<Point> normals;
 
   // One entry for each ball.
   std::vector<Ball> balls;
@@ -74,7 +77,7 @@ Tetrahedra powerCells(const std::vector<Ball>& balls, const Execution& execution
 /// @param solid    the surface of the solid, if it is known: then it tells the sides, and nothing is
 ///                 doubted: the power shape's Betti numbers are to be compared with its own. Closed
 /// @param normals  of the surface at each sample, outwards, of any length; then they tell the sides, where
-///                 the solid doesn't, see normalVotes(). Empty: there are none
+///                 the solid doesn't, see normalVotes(). Kept unless they contradict each other. Empty: there are none
 /// @throw InvalidInput  fewer than 4 distinct points, all on a line or in a plane, or a coordinate
 ///                      or an option that is not finite; another number of normals than samples
 /// @throw Aborted

@@ -104,6 +104,7 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
     result.samples = sampler.samples(execution.between(between, done));
     result.warnings = result.samples.warnings;
   }
+  result.balls.balls.normals = normals(result.samples.points);
   execution.report(1);
   return result;
 }

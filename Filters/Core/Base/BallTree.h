@@ -12,7 +12,8 @@ namespace medial
 /// The diagonal of the bounding box of the balls; 0 without any.
 double boundingDiagonal(const std::vector<Ball>& balls);
 
-/// A search tree of balls: finds the ball whose sphere is nearest to a point.
+/// A search tree of balls: finds the ball whose sphere is nearest to a point, the largest one around it, the one with
+/// the least power there.
 ///
 /// A k-d tree of the centres: each node holds the bounding box of its centres and its largest
 /// radius. Built in O(n log n); a search usually visits O(log n) nodes. The values found are exactly
@@ -36,6 +37,14 @@ public:
   /// @param enough  the search stops at a value of at most this much, which need not be the least
   double protrusion(const Ball& ball, Index group, double enough = 0) const;
 
+  /// The largest ball that contains a point, or None. The lowest number of several.
+  /// @param tolerance  how far outside of its sphere the point may be
+  Index largestAround(const Point& x, double tolerance) const;
+
+  /// The ball in whose power cell a point is: |x - center|^2 - radius^2 is least. The lowest number of several, None
+  /// without balls.
+  Index leastPower(const Point& x) const;
+
 private:
   struct Member
   {
@@ -56,9 +65,23 @@ private:
   static constexpr Index Mixed = -1;   ///< the node's balls are of several groups
   static constexpr Index Nothing = -2; ///< nothing is left out of a search
 
+  /// The least value of a ball, and the lowest number of the balls that have it.
+  struct Least
+  {
+    double value = std::numeric_limits<double>::infinity();
+    Index number = None;
+  };
+
   void build(Index begin, Index end);
   double least(const Ball& ball, Index leftOut, double enough) const;
-  static double lowerBound(const Node& node, const Ball& ball);
+
+  /// @param bound   of a node: no ball in it has a smaller value; infinite: nothing to find there
+  /// @param value   of a member
+  /// @param enough  the search stops at a value of at most this much
+  template <typename Bound, typename Value>
+  Least search(const Bound& bound, const Value& value, double enough) const;
+
+  static double lowerBound(const Node& node, const Point& x);
 
   std::vector<Member> members; ///< those of a node follow each other
   std::vector<Node> nodes;

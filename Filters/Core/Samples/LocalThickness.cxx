@@ -163,6 +163,14 @@ std::vector<Point> positions(const std::vector<SurfacePoint>& samples)
   return result;
 }
 
+std::vector<Point> normals(const std::vector<SurfacePoint>& samples)
+{
+  std::vector<Point> result(samples.size());
+  std::transform(samples.begin(), samples.end(), result.begin(),
+    [](const SurfacePoint& sample) { return sample.normal; });
+  return result;
+}
+
 std::vector<double> localThickness(const std::vector<SurfacePoint>& samples,
   const SurfaceTree& tree, const std::vector<Point>& triangleNormals, double most,
   const std::vector<WedgeEdge>& edges, const Execution& execution, Index first)

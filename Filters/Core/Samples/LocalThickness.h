@@ -20,6 +20,7 @@ struct SurfacePoint
 };
 
 std::vector<Point> positions(const std::vector<SurfacePoint>& samples);
+std::vector<Point> normals(const std::vector<SurfacePoint>& samples);
 
 /// A piece of an edge where two walls meet in a wedge.
 struct WedgeEdge

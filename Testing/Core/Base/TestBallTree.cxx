@@ -54,6 +54,34 @@ double protrusionByLoop(
   return std::max(0.0, least);
 }
 
+Index largestByLoop(const std::vector<Ball>& balls, const Point& x, double tolerance)
+{
+  Index result = medial::None;
+  for (Index i = 0; i < count(balls); ++i)
+  {
+    const bool isAround = (balls[i].center - x).norm() <= balls[i].radius + tolerance;
+    if (isAround && (result == medial::None || balls[i].radius > balls[result].radius))
+    {
+      result = i;
+    }
+  }
+  return result;
+}
+
+Index leastPowerByLoop(const std::vector<Ball>& balls, const Point& x)
+{
+  const auto power = [&](Index i) {
+    const double distance = (balls[i].center - x).norm();
+    return (distance - balls[i].radius) * (distance + balls[i].radius);
+  };
+  Index result = 0;
+  for (Index i = 1; i < count(balls); ++i)
+  {
+    result = power(i) < power(result) ? i : result;
+  }
+  return result;
+}
+
 /// Numbers without pattern, the same in every run.
 class Source
 {
@@ -221,6 +249,35 @@ TEST(BallTree, ProtrusionIsThatOfALoopOverAllBallsToTheLastBit)
         ASSERT_EQ(tree.protrusion(c.balls[i], groups[i]),
           protrusionByLoop(c.balls, groups, c.balls[i], groups[i]));
       }
+    }
+  }
+}
+
+TEST(BallTree, LargestAroundIsThatOfALoopOverAllBalls)
+{
+  for (const Case& c : cases())
+  {
+    SCOPED_TRACE(testing::Message() << c.name << ", seed " << seed);
+    const BallTree tree(c.balls);
+    for (const double tolerance : { 0.0, 0.1 })
+    {
+      for (const Point& query : c.queries)
+      {
+        ASSERT_EQ(tree.largestAround(query, tolerance), largestByLoop(c.balls, query, tolerance));
+      }
+    }
+  }
+}
+
+TEST(BallTree, LeastPowerIsThatOfALoopOverAllBalls)
+{
+  for (const Case& c : cases())
+  {
+    SCOPED_TRACE(testing::Message() << c.name << ", seed " << seed);
+    const BallTree tree(c.balls);
+    for (const Point& query : c.queries)
+    {
+      ASSERT_EQ(tree.leastPower(query), leastPowerByLoop(c.balls, query));
     }
   }
 }

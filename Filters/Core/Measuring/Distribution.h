@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_Distribution_h
+#define medial_Distribution_h
+
+#include "Base/Types.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace medial
+{
+/// What a set of values is like. Not a number where there is no value.
+struct Distribution
+{
+  double mean = std::numeric_limits<double>::quiet_NaN();
+  double deviation = mean; ///< from the mean: root of the mean square
+  double smallest = mean;
+  double largest = mean;
+  Index number = 0; ///< of values
+};
+
+/// Adds values up in their order, so that the result doesn't depend on threads.
+inline Distribution distribution(const std::vector<double>& values)
+{
+  Distribution result;
+  if (values.empty())
+  {
+    return result;
+  }
+  double sum = 0, squares = 0;
+  for (const double value : values)
+  {
+    sum += value;
+  }
+  result.mean = sum / double(values.size());
+  for (const double value : values)
+  {
+    squares += (value - result.mean) * (value - result.mean);
+  }
+  result.deviation = std::sqrt(squares / double(values.size()));
+  const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
+  result.smallest = *smallest;
+  result.largest = *largest;
+  result.number = count(values);
+  return result;
+}
+}
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_LargestBalls_h
+#define medial_LargestBalls_h
+
+#include "Balls/PolarBalls.h"
+#include "Base/BallTree.h"
+#include "Base/Execution.h"
+#include "Base/Types.h"
+
+#include <functional>
+#include <vector>
+
+namespace medial
+{
+/// The balls of one side, or some of them, ready to be searched.
+class LargestBalls
+{
+public:
+  /// @param counts  which balls of the side; all where there is no test
+  LargestBalls(
+    const PolarBalls& balls, Side side, const std::function<bool(Index ball)>& counts = {});
+
+  /// The largest ball that contains a place, or None: by the thickness of [HR97] twice its radius is how thick the solid
+  /// is there. The lowest number of several.
+  /// @param tolerance  how far outside of its sphere the place may be
+  Index around(const Point& place, double tolerance = 0) const;
+
+  /// The ball in whose power cell the place would be if there were no others; None without balls.
+  Index leastPower(const Point& place) const;
+
+private:
+  std::vector<Index> numbers; ///< ascending
+  BallTree tree;
+};
+
+/// For each sample the largest ball of a side, or None, that it is on, up to a tolerance. Balls that touch the guard don't
+/// count.
+///
+/// No ball has samples in its interior, so also the largest ones outside have few to look at: about linear time.
+std::vector<Index> largestBallsAtSamples(
+  const PolarBalls& balls, Side side, double tolerance, const Execution& execution = {});
+}
+
+#endif
