@@ -31,6 +31,8 @@
  *  - `SampleInnerBall`, `SampleOuterBall` (vtkIdType): its ball inside and outside, or -1. Where poles crowd, as
  *    near the axis of a tube, one ball stands for all; it passes their samples within a hundredth of the
  *    distance of these to the next sample.
+ *  - `SampleNormals` (double, 3 components): of the surface there, outwards, of length 1; zero where it has none or counts as
+ *    another sample. Only where the samples have normals that are of use.
  *
  * Field data, lists: the samples on ball i, ascending, are `BallSamples`[`BallSampleOffsets`[i]] ...
  * `BallSamples`[`BallSampleOffsets`[i + 1] - 1] (vtkIdType).

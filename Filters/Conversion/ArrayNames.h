@@ -180,6 +180,26 @@ constexpr const char* MovedBy = "MovedBy";
 constexpr const char* Verdict = "Verdict";
 // ... field data, a text for each reason; no array where there is none
 constexpr const char* VerdictReasons = "VerdictReasons";
+
+// vtkLocalThickness: points
+constexpr const char* Thickness = "Thickness";
+constexpr const char* ThicknessBall = "ThicknessBall";
+constexpr const char* Separation = "Separation";
+constexpr const char* SeparationBall = "SeparationBall";
+// ... means: columns; and field data, single values
+constexpr const char* Quantity = "Quantity";
+constexpr const char* Weight = "Weight";
+constexpr const char* Mean = "Mean";
+constexpr const char* Deviation = "Deviation";
+constexpr const char* Minimum = "Minimum";
+constexpr const char* Maximum = "Maximum";
+constexpr const char* Number = "Number";
+constexpr const char* Margin = "Margin";
+constexpr const char* VolumeShare = "VolumeShare";
+// ... thin places: columns; PartId too
+constexpr const char* Place = "Place";
+constexpr const char* Depth = "Depth";
+constexpr const char* AxisPoint = "AxisPoint";
 }
 }
 

@@ -30,9 +30,9 @@ struct VolumeThickness
 {
   Distribution thickness; ///< at points inside
   Distribution
-    separation;  ///< at points outside, where a ball contains them whose centre is in the bounds
-  double margin; ///< that was left out
-  double share;  ///< of the volume of interest that is inside the solid
+    separation; ///< at points outside, where a ball contains them whose centre is in the bounds
+  double margin = 0; ///< that was left out
+  double share = 0;  ///< of the volume of interest that is inside the solid
 };
 
 /// Thickness is the diameter of the largest inner ball that contains a point [HR97], separation that of the largest outer
