@@ -61,7 +61,7 @@ constexpr const char* WarningHasPlace = "WarningHasPlace";
 constexpr const char* WarningDoubtsSolid = "WarningDoubtsSolid";
 
 // vtkPolarBalls: points, one for each ball
-constexpr const char* Radius = "Radius";
+constexpr const char* Radius = "Radius"; // and of vtkMedialMeshReader
 constexpr const char* InnerRadius = "InnerRadius";
 constexpr const char* Side = "Side";
 constexpr const char* TouchesGuard = "TouchesGuard";
@@ -160,6 +160,9 @@ constexpr const char* RefusedProtected = "RefusedProtected";
 constexpr const char* TopologyChanges = "TopologyChanges";
 constexpr const char* Betti = "Betti";
 constexpr const char* VolumeRemoved = "VolumeRemoved";
+
+// vtkMedialMeshReader: points and cells; Radius too
+constexpr const char* Type = "Type";
 
 // vtkPowerCrust: points
 constexpr const char* SampleId = "SampleId";

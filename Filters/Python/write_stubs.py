@@ -11,7 +11,7 @@ import re
 import sys
 
 HOMES = ["vtkmodules." + name
-         for name in ("vtkCommonCore", "vtkCommonDataModel", "vtkCommonExecutionModel")]
+         for name in ("vtkCommonCore", "vtkCommonDataModel", "vtkCommonExecutionModel", "vtkIOCore")]
 
 
 def signatures(method):
