@@ -196,6 +196,21 @@ class Batch(unittest.TestCase):
         exec(script, {})
         self.assertEqual(volume(pv.FindSource("crust")), expected)
 
+    def test_saves_and_opens_medial_meshes(self):
+        path, again = (os.path.join(os.getcwd(), name) for name in ("axis.ma", "again.ma"))
+        pv.SaveData(path, proxy=self.chain.axis)
+        mesh = pv.OpenDataFile(path)
+        self.assertEqual(mesh.SMProxy.GetXMLName(), "MedialMeshReader")
+        axis, read = servermanager.Fetch(self.chain.axis), servermanager.Fetch(mesh)
+        self.assertEqual(read.GetNumberOfPolys(), axis.GetNumberOfPolys())
+        self.assertEqual(read.GetNumberOfLines(), axis.GetNumberOfLines())
+        self.assertGreater(min(column(read.GetPointData(), "Radius")), 0)
+        pv.SaveData(again, proxy=mesh)
+        with open(path) as first, open(again) as second:
+            self.assertEqual(first.read(), second.read())
+        os.rename(again, again + "_dup")
+        self.assertEqual(pv.OpenDataFile(again + "_dup").SMProxy.GetXMLName(), "MedialMeshReader")
+
     def test_stops_and_starts_again(self):
         stop = [1]
         stage(self.chain.prune).AddObserver(
