@@ -235,6 +235,12 @@ std::vector<Option> pruningOptions(Arguments& arguments)
   return {
     { "--output", "DIR", "where the results go (default: out)",
       [&](const std::string& value) { arguments.output = value; } },
+    { "--ma", "", "also writes axis.ma and pruned.ma, for Blender, Q-MAT, MATTopo and others",
+      turnsOn(arguments.medialMeshes) },
+    { "--export-parts", "",
+      "also writes the surface of each part to a file of its own; open where parts touch each "
+      "other",
+      turnsOn(arguments.exportParts) },
     { "--trim", "X",
       "leaves out rims of the axis that small bumps of the surface make, up to an erosion "
       "thickness of\n"
@@ -367,6 +373,8 @@ Results, all or none:
   axis.vtp  parts.vtp    medial axis; the same with its parts
   pruned.vtp             what pruning left of it
   surface.vtp  .stl      surface of the simplified solid; .stl in triangles
+  part-N.stl exported.csv  with --export-parts: the triangles with PartId N; a list of them
+  axis.ma pruned.ma      with --ma: axis and pruned axis as medial meshes
   parts.csv history.csv  the parts; what each iteration removed
   report.json            counts, Betti numbers, verdict, warnings, volumes, times
   samples axis parts pruned surface overview .png with --picture

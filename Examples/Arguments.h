@@ -33,6 +33,8 @@ struct Arguments
   bool largestPiece = false;        ///< keep that alone
   std::optional<double> gaussian;   ///< smooths the voxels, standard deviation in voxels
   int threads = 0;                  ///< 0: as many as the machine has
+  bool medialMeshes = false;        ///< write .ma files
+  bool exportParts = false;         ///< write the mesh of each part
   bool picture = false;
   bool strict = false;
   bool quiet = false;

@@ -8,6 +8,7 @@
 #include "Signals.h"
 
 #include <vtkErrorCode.h>
+#include <vtkMedialMeshWriter.h>
 #include <vtkSTLWriter.h>
 #include <vtkXMLWriter.h>
 
@@ -136,7 +137,7 @@ void OutputFolder::checkPlace(const std::string& inputFile) const
     throw InputError(
       this->Named + ": can't make this folder for the results: a file of that name is in the way");
   }
-  for (const std::string& name : ResultNames)
+  for (const std::string& name : resultNames(this->Folder))
   {
     std::error_code notThere;
     if (fs::equivalent(this->Folder / name, inputFile, notThere))
@@ -179,6 +180,14 @@ void OutputFolder::makeParents()
 }
 
 void OutputFolder::write(vtkXMLWriter* writer, const std::string& name)
+{
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  check(fs::path(this->Named) / name, writer);
+  this->writeText(writer->GetOutputString(), name);
+}
+
+void OutputFolder::write(vtkMedialMeshWriter* writer, const std::string& name)
 {
   writer->WriteToOutputStringOn();
   writer->Write();
@@ -257,7 +266,7 @@ bool OutputFolder::makeDraft(const fs::path& place, const std::string& prefix)
   return false;
 }
 
-void OutputFolder::publish(const std::set<std::string>& names)
+void OutputFolder::publish(OldResults old)
 {
   const fs::path draftFolder = this->draft().parent_path();
   try
@@ -265,6 +274,8 @@ void OutputFolder::publish(const std::set<std::string>& names)
     if (!this->publishAsNew(draftFolder))
     {
       const FolderLock lock(this->Folder, FolderLock::Wait);
+      const std::set<std::string> names =
+        old == Replaced ? resultNames(this->Folder) : std::set<std::string>();
       const signals::Shield shield;
       publishInto(draftFolder, this->Folder, names);
       this->Draft.clear();

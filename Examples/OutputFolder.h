@@ -6,10 +6,10 @@
 
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
+class vtkMedialMeshWriter;
 class vtkSTLWriter;
 class vtkXMLWriter;
 
@@ -38,6 +38,7 @@ public:
   /// so they write into memory.
   /// @throw InputError  the file can't be written
   void write(vtkXMLWriter* writer, const std::string& name);
+  void write(vtkMedialMeshWriter* writer, const std::string& name);
   void write(vtkSTLWriter* writer, const std::string& name);
 
   /// Writes a text file.
@@ -48,10 +49,16 @@ public:
   /// @throw InputError  it can't be made
   std::filesystem::path draft();
 
+  /// What becomes of the results in the folder that no written file replaces.
+  enum OldResults
+  {
+    Kept,
+    Replaced ///< all go, see resultNames()
+  };
+
   /// Publishes all written files together. Later files begin a new draft.
-  /// @param names  files that go from the folder, if they are not among the written ones
   /// @throw InputError  they can't be published; the old results stay
-  void publish(const std::set<std::string>& names);
+  void publish(OldResults old);
 
   /// Removes the files that are not published.
   void discard();

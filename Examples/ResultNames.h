@@ -2,14 +2,18 @@
 #ifndef ResultNames_h
 #define ResultNames_h
 
+#include <vtkType.h>
+
+#include <filesystem>
 #include <set>
 #include <string>
 
-/// The names of all files that the program may write. New results take the place of all files of these
-/// names: a picture of an older result does not stay beside them.
-inline const std::set<std::string> ResultNames = { "balls.vtu", "samples.vtp", "axis.vtp",
-  "parts.vtp", "pruned.vtp", "surface.vtp", "surface.stl", "parts.csv", "history.csv",
-  "report.json", "samples.png", "axis.png", "parts.png", "pruned.png", "surface.png",
-  "overview.png" };
+/// The name of the mesh of a part, as part-12.stl.
+std::string partFileName(vtkIdType part);
+
+/// The names of all files that the program may write into a folder, and of the meshes of parts that are in it. New
+/// results take the place of all files of these names: a picture of an older result does not stay beside
+/// them.
+std::set<std::string> resultNames(const std::filesystem::path& folder);
 
 #endif

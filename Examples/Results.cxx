@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Results.h"
 
+#include "Arguments.h"
 #include "Messages.h"
 #include "OutputFolder.h"
+#include "PartMeshes.h"
 #include "Tables.h"
 
 #include <vtkCommand.h>
 #include <vtkErrorCode.h>
 #include <vtkMedialAxis.h>
+#include <vtkMedialMeshWriter.h>
 #include <vtkMedialPartDecomposition.h>
 #include <vtkMedialPrune.h>
 #include <vtkNew.h>
@@ -66,9 +69,11 @@ private:
   unsigned long Observer;
 };
 
-Results::Results(vtkSimplifyShape* simplify, OutputFolder& folder)
+Results::Results(vtkSimplifyShape* simplify, OutputFolder& folder, const Arguments& arguments)
   : Simplify(simplify)
   , Folder(folder)
+  , HasMedialMeshes(arguments.medialMeshes)
+  , HasPartMeshes(arguments.exportParts)
 {
   simplify->KeepAxisOff();
   this->writeAfter(simplify->GetMedialAxis(), [this] { this->writeAxis(); });
@@ -108,6 +113,7 @@ void Results::writeAxis()
   vtkPolyData* axis = this->Simplify->GetMedialAxis()->GetOutput();
   this->AxisTriangles = axis->GetNumberOfPolys();
   this->write<vtkXMLPolyDataWriter>(axis, "axis.vtp");
+  this->writeMedialMesh(axis, "axis.ma");
   this->Compression
     ->learnNoMore(); // the parts have all that the axis has; pruning keeps its points
 }
@@ -123,6 +129,7 @@ void Results::writePruned()
 {
   vtkMedialPrune* pruned = this->Simplify->GetMedialPrune();
   this->write<vtkXMLPolyDataWriter>(pruned->GetOutput(), "pruned.vtp");
+  this->writeMedialMesh(pruned->GetOutput(), "pruned.ma");
   this->Folder.writeText(
     csv(vtkTable::SafeDownCast(pruned->GetOutputDataObject(1))), "history.csv");
   this->Compression = vtkSmartPointer<Compressor>::New();
@@ -134,8 +141,41 @@ void Results::writeRest()
   this->write<vtkXMLUnstructuredGridWriter>(this->Simplify->GetBalls(), "balls.vtu");
   this->write<vtkXMLPolyDataWriter>(this->Simplify->GetSamples(), "samples.vtp");
   this->write<vtkXMLPolyDataWriter>(this->Simplify->GetOutput(), "surface.vtp");
-  vtkNew<vtkSTLWriter> triangles;
-  triangles->SetInputData(this->Simplify->GetOutput());
-  triangles->SetFileTypeToBinary();
-  this->Folder.write(triangles, "surface.stl");
+  this->writeStl(this->Simplify->GetOutput(), "surface.stl");
+  if (this->HasPartMeshes)
+  {
+    this->writePartMeshes();
+  }
+}
+
+void Results::writeMedialMesh(vtkPolyData* axis, const std::string& name)
+{
+  if (this->HasMedialMeshes)
+  {
+    vtkNew<vtkMedialMeshWriter> writer;
+    writer->SetInputData(axis);
+    this->Folder.write(writer, name);
+  }
+}
+
+void Results::writeStl(vtkPolyData* triangles, const std::string& name)
+{
+  vtkNew<vtkSTLWriter> writer;
+  writer->SetInputData(triangles);
+  writer->SetFileTypeToBinary();
+  this->Folder.write(writer, name);
+}
+
+void Results::writePartMeshes()
+{
+  const std::vector<PartMesh> meshes =
+    partMeshes(this->Simplify->GetMedialPrune()->GetOutput(), this->Simplify->GetOutput());
+  for (const PartMesh& mesh : meshes)
+  {
+    if (!mesh.file().empty())
+    {
+      this->writeStl(mesh.patch, mesh.file());
+    }
+  }
+  this->Folder.writeText(csv(tableOf(meshes)), "exported.csv");
 }

@@ -13,9 +13,11 @@
 #include <string>
 #include <vector>
 
+struct Arguments;
 class OutputFolder;
 class vtkAlgorithm;
 class vtkDataObject;
+class vtkPolyData;
 class vtkSimplifyShape;
 
 /// Writes what the stages of a filter make. The axis and its parts are written as soon as they are made,
@@ -23,7 +25,8 @@ class vtkSimplifyShape;
 class Results
 {
 public:
-  Results(vtkSimplifyShape* simplify, OutputFolder& folder);
+  /// @param arguments  tell which files are wanted beside those that are always written
+  Results(vtkSimplifyShape* simplify, OutputFolder& folder, const Arguments& arguments);
   ~Results();
 
   /// How many triangles the axis has that was written.
@@ -49,9 +52,13 @@ private:
   void writeAxis();
   void writeParts();
   void writePruned();
+  void writeMedialMesh(vtkPolyData* axis, const std::string& name);
+  void writeStl(vtkPolyData* triangles, const std::string& name);
+  void writePartMeshes();
 
   vtkSimplifyShape* Simplify;
   OutputFolder& Folder;
+  bool HasMedialMeshes, HasPartMeshes;
   vtkSmartPointer<Compressor> Compression = vtkSmartPointer<Compressor>::New();
   std::vector<std::unique_ptr<Writing>> Writings;
   std::exception_ptr Error;

@@ -13,7 +13,6 @@
 #include "Progress.h"
 #include "ReadPoints.h"
 #include "Report.h"
-#include "ResultNames.h"
 #include "Results.h"
 #include "Signals.h"
 #include "Tables.h"
@@ -174,7 +173,7 @@ void addPictures(vtkSimplifyShape* simplify, DrawingProcess& process, OutputFold
   try
   {
     process.draw(pictureOrder(folder.path(), folder.draft(), captionsOf(simplify)));
-    folder.publish({});
+    folder.publish(OutputFolder::Kept);
   }
   catch (const std::exception& error)
   {
@@ -207,14 +206,14 @@ ExitCode simplify(const Arguments& arguments)
   setProperties(filter, arguments);
   Progress progress(arguments.quiet);
   watchStages(filter, progress);
-  Results results(filter, folder);
+  Results results(filter, folder, arguments);
   run(filter, arguments, results);
   const double total =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() -
     results.seconds();
   results.writeRest();
   folder.writeText(report(filter, input, progress, total), "report.json");
-  folder.publish(ResultNames);
+  folder.publish(OutputFolder::Replaced);
   if (!arguments.quiet)
   {
     std::cout << summary(filter, input, arguments, results.axisTriangles(), total);

@@ -17,6 +17,7 @@ import subprocess
 import unittest
 
 from check_dicom import Dicom  # the same of DICOM series; run with the rest
+from check_exports import Exports  # the files for other programs; run with the rest
 from check_images import Images  # the same of images; run with the rest
 from check_inputs import Inputs  # what the program reads and refuses; run with the rest
 from check_meshes import Meshes  # what it makes of polygons; run with the rest
@@ -24,7 +25,7 @@ from check_outputs import Outputs  # whole results or none; run with the rest
 from input_files import xml
 from program_test import PROGRAM, ProgramTest, ellipsoid, torus
 
-__all__ = ["Images", "Inputs", "Outputs", "SimplifyShape"]
+__all__ = ["Exports", "Images", "Inputs", "Outputs", "SimplifyShape"]
 
 DATA = {"balls.vtu", "samples.vtp", "axis.vtp", "parts.vtp", "pruned.vtp", "surface.vtp", "surface.stl",
         "parts.csv", "history.csv", "report.json"}
@@ -348,8 +349,7 @@ class SimplifyShape(ProgramTest):
     def test_pictures_without_display_give_1(self):
         environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
         points = self.write_xyz(ellipsoid(300))
-        done = self.run_program(points, "--picture", "--output", self.path("none"),
-                                environment=environment)
+        done = self.run_program(points, "--picture", "--output", self.path("none"), environment=environment)
         self.assertEqual(done.returncode, 1)
         self.assertIn("DISPLAY", done.stderr)
         self.assertIn("Examples/run", done.stderr)

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ResultNames.h"
+
+#include <regex>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+std::string partFileName(vtkIdType part)
+{
+  return "part-" + std::to_string(part) + ".stl";
+}
+
+std::set<std::string> resultNames(const fs::path& folder)
+{
+  static const std::regex part("part-(0|[1-9][0-9]*)\\.stl");
+  std::set<std::string> result = { "balls.vtu", "samples.vtp", "axis.vtp", "parts.vtp",
+    "pruned.vtp", "surface.vtp", "surface.stl", "parts.csv", "history.csv", "report.json",
+    "axis.ma", "pruned.ma", "exported.csv", "samples.png", "axis.png", "parts.png", "pruned.png",
+    "surface.png", "overview.png" };
+  std::error_code notThere;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, notThere))
+  {
+    const std::string name = entry.path().filename().string();
+    std::error_code ignored;
+    if (std::regex_match(name, part) && !fs::is_directory(entry.symlink_status(ignored)))
+    {
+      result.insert(name);
+    }
+  }
+  return result;
+}
