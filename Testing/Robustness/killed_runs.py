@@ -4,7 +4,8 @@
 
   Testing/Robustness/killed_runs.py build/bin/SimplifyShape [--count 200] [--seed 1] [--every-step]
 
-Each run has another input than the one before, and is ended by one of
+Each run has another input than the one before; those with the first one write the meshes of
+parts, too. It is ended by one of
   KILL TERM INT   the signal, at a random time
   limit           files may not be larger than a random size (ulimit -f)
   kill full io    it dies, or the disk is full or fails, from a random change of a file or folder on
@@ -85,9 +86,9 @@ class Runs:
         subprocess.run(["c++", "-shared", "-fPIC", "-O1", "-o", self.library,
                         os.path.join(HERE, "FailAt.cxx")], check=True)
         self.folders = [os.path.join(scratch, "expected%d" % i) for i in range(2)]
-        for file, folder in zip(self.inputs, self.folders):
+        for which, folder in enumerate(self.folders):
             begin = time.monotonic()
-            subprocess.run([program, file, "--quiet", "--output", folder], check=True)
+            subprocess.run(self.command(which, folder), check=True)
             self.duration = time.monotonic() - begin
         self.expected = [results(folder) for folder in self.folders]
         self.largest = max(os.path.getsize(os.path.join(folder, name)) for name in self.expected[1])
@@ -104,8 +105,9 @@ class Runs:
                     file.write("the user's")
         assert not hidden(self.place), "a run left %s" % hidden(self.place)
 
-    def command(self, which):
-        return [self.program, self.inputs[which], "--quiet", "--output", self.out]
+    def command(self, which, folder=None):
+        more = ["--export-parts", "--ma"] if which == 0 else []
+        return [self.program, self.inputs[which], "--quiet", "--output", folder or self.out, *more]
 
     def end_by_signal(self, way, which):
         with subprocess.Popen(self.command(which), stderr=subprocess.DEVNULL) as process:
@@ -177,7 +179,7 @@ class Runs:
             return self.end_by_full_disk(which)
         if way.startswith("no"):
             return self.run_without_links(way, which)
-        return self.end_at_step(way, step or self.random.randint(1, 120), which)
+        return self.end_at_step(way, step or self.random.randint(1, 160), which)
 
     def run(self, way, old, step=0):
         """A run with one input over the results of the other one, or over nothing. Then another run finds its
