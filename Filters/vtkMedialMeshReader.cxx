@@ -23,7 +23,7 @@ vtkMedialMeshReader::vtkMedialMeshReader()
 
 vtkMedialMeshReader::~vtkMedialMeshReader()
 {
-  this->SetFileName(nullptr);
+  delete[] this->FileName;
 }
 
 int vtkMedialMeshReader::RequestInformation(vtkInformation* vtkNotUsed(request),

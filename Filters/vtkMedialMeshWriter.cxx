@@ -18,7 +18,7 @@ vtkStandardNewMacro(vtkMedialMeshWriter);
 
 vtkMedialMeshWriter::~vtkMedialMeshWriter()
 {
-  this->SetFileName(nullptr);
+  delete[] this->FileName;
 }
 
 int vtkMedialMeshWriter::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)

@@ -3,10 +3,12 @@
 """The five filters from Python: the chain runs, and its arrays can be read."""
 
 import math
+import os
+import tempfile
 import unittest
 
-from medialaxis import (vtkMedialAxis, vtkMedialPartDecomposition, vtkMedialPrune, vtkPolarBalls,
-                        vtkPowerCrust)
+from medialaxis import (vtkMedialAxis, vtkMedialMeshReader, vtkMedialMeshWriter,
+                        vtkMedialPartDecomposition, vtkMedialPrune, vtkPolarBalls, vtkPowerCrust)
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
@@ -53,6 +55,25 @@ class Pipeline(unittest.TestCase):
         self.assertAlmostEqual(field(surface, "Volume")[0] / (8 * math.pi), 1, delta=0.05)
         history = prune.GetOutputDataObject(1)
         self.assertEqual(history.GetNumberOfRows(), 1)
+
+    def test_medial_mesh_is_read_back(self):
+        balls, axis = vtkPolarBalls(), vtkMedialAxis()
+        balls.SetInputData(ellipsoid())
+        axis.SetInputConnection(balls.GetOutputPort())
+        writer, reader = vtkMedialMeshWriter(), vtkMedialMeshReader()
+        writer.SetInputConnection(axis.GetOutputPort())
+        with tempfile.TemporaryDirectory() as folder:
+            writer.SetFileName(os.path.join(folder, "axis.ma"))
+            self.assertEqual(writer.Write(), 1)
+            reader.SetFileName(writer.GetFileName())
+            reader.Update()
+        writer.WriteToOutputStringOn()
+        writer.Write()
+        text = writer.GetOutputString()
+        writer.SetInputConnection(reader.GetOutputPort())
+        writer.Write()
+        self.assertEqual(writer.GetOutputString(), text)
+        self.assertEqual(reader.GetOutput().GetNumberOfPolys(), axis.GetOutput().GetNumberOfPolys())
 
     def test_part_has_a_color(self):
         colors = []
