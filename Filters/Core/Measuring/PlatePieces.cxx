@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Measuring/PlatePieces.h"
+
+#include "Base/DisjointSets.h"
+#include "Base/Lists.h"
+#include "Measuring/PointVolumes.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+/// Of a plate's axis, in squares of its thickness. The axis of a sheet is narrower than the solid by one
+/// thickness. Where three rods of a frame meet they make sheets of up to 1.2.
+constexpr double leastArea = 1.5;
+
+/// The border of a piece with a neighbour.
+struct Border
+{
+  Index from, to;
+  double length;
+};
+
+/// The triangles of an axis, and which of them are plates and fins of plates.
+struct SheetTriangles
+{
+  SheetTriangles(const MedialAxis& medialAxis, const AxisEdges& axisEdges,
+    const SheetWidths& sheetWidths, double plateRatio)
+    : axis(medialAxis)
+    , triangles(medialAxis.cells.triangles)
+    , edges(axisEdges)
+    , plate(triangles.size(), 0)
+    , fin(triangles.size(), 0)
+  {
+    for (Index t = 0; t < count(this->triangles); ++t)
+    {
+      int wide = 0;
+      double radii = 0;
+      for (const Index p : this->triangles[t])
+      {
+        wide += sheetWidths.ratio[p] > plateRatio;
+        radii += this->axis.radii[p];
+      }
+      this->plate[t] = wide >= 2;
+      this->radius.push_back(radii / 3);
+      this->area.push_back(triangleArea(this->axis, this->triangles[t]));
+      this->time.push_back(
+        radii / 3 + this->axis.cellErosion[this->axis.cells.firstTriangle() + t]);
+    }
+  }
+
+  /// What the triangles of each set, known by the lowest one, have together.
+  struct Sums
+  {
+    std::vector<double> area;      ///< without fins
+    std::vector<double> thickness; ///< the largest one
+
+    /// Is it too small for a plate?
+    bool isSmall(Index set) const
+    {
+      return area[set] <= leastArea * thickness[set] * thickness[set];
+    }
+  };
+
+  Sums sumsOf(DisjointSets& sets) const
+  {
+    Sums sums{ std::vector<double>(this->triangles.size(), 0),
+      std::vector<double>(this->triangles.size(), 0) };
+    for (Index t = 0; t < count(this->triangles); ++t)
+    {
+      if (!this->fin[t])
+      {
+        const Index set = sets.find(t);
+        sums.area[set] += this->area[t];
+        sums.thickness[set] = std::max(sums.thickness[set], 2 * this->radius[t]);
+      }
+    }
+    return sums;
+  }
+
+  /// Links the triangles with the same key at each edge to the one of them that burns last: calls
+  /// body(triangle, triangle). Pairs would be too many where very many sheets meet.
+  /// @param key  None: the triangle is left alone
+  template <typename Key, typename Body>
+  void forLinks(const Key& key, const Body& body) const
+  {
+    std::vector<std::tuple<Index, double, Index>> at;
+    for (Index e = 0; e < count(this->edges.points); ++e)
+    {
+      at.clear();
+      for (const Index t : this->edges.triangles[e])
+      {
+        at.push_back({ key(t), -this->time[t], t });
+      }
+      std::sort(at.begin(), at.end());
+      std::size_t top = 0;
+      for (std::size_t i = 1; i < at.size(); ++i)
+      {
+        top = std::get<0>(at[i]) == std::get<0>(at[top]) ? top : i;
+        if (i != top && std::get<0>(at[i]) != None)
+        {
+          body(std::get<2>(at[top]), std::get<2>(at[i]));
+        }
+      }
+    }
+  }
+
+  const MedialAxis& axis;
+  const std::vector<Triangle>& triangles;
+  const AxisEdges& edges;
+  std::vector<double> radius, area, time; ///< of each triangle; the time when it has burnt
+  std::vector<char> plate, fin;
+};
+
+/// Steps 1 to 3.
+class Cutter
+{
+public:
+  Cutter(SheetTriangles& sheetTriangles, double plateRatio)
+    : all(sheetTriangles)
+    , leastRatio(plateRatio)
+    , sheets(count(sheetTriangles.triangles))
+    , pieces(count(sheetTriangles.triangles))
+  {
+  }
+
+  /// Step 1.
+  /// @param volumes  of the points
+  void dropMeetings(const std::vector<double>& volumes)
+  {
+    DisjointSets groups(count(this->all.triangles)), bodies(count(this->all.axis.points));
+    this->all.forLinks([this](Index t) { return this->all.plate[t] ? 0 : None; },
+      [&](Index a, Index b) { groups.unite(a, b); });
+    for (const Edge& ends : this->all.edges.points)
+    {
+      bodies.unite(ends[0], ends[1]);
+    }
+    const SheetTriangles::Sums sums = this->all.sumsOf(groups);
+    const std::vector<Index> groupAt = this->groupsAtPoints(groups);
+    std::vector<double> ofBody(volumes.size(), 0), ofGroup(this->all.triangles.size(), 0);
+    for (Index p = 0; p < count(volumes); ++p)
+    {
+      ofBody[bodies.find(p)] += volumes[p];
+      if (groupAt[p] != None)
+      {
+        ofGroup[groupAt[p]] += volumes[p];
+      }
+    }
+    for (Index t = 0; t < count(this->all.triangles); ++t)
+    {
+      const Index group = groups.find(t);
+      const double whole = ofBody[bodies.find(this->all.triangles[t][0])];
+      this->all.plate[t] =
+        this->all.plate[t] && !(sums.isSmall(group) && 2 * ofGroup[group] < whole);
+    }
+  }
+
+  /// Step 2.
+  void cutAtSeams()
+  {
+    this->forManifoldSides(this->sheets, false);
+    std::vector<char> stands(this->all.triangles.size(), 0);
+    for (Index t = 0; t < count(this->all.triangles); ++t)
+    {
+      stands[this->sheets.find(t)] |= this->all.time[t] > this->leastRatio * this->all.radius[t];
+    }
+    for (Index t = 0; t < count(this->all.triangles); ++t)
+    {
+      this->all.fin[t] = !stands[this->sheets.find(t)];
+    }
+    this->forManifoldSides(this->sheets, true);
+  }
+
+  /// Step 3: floods each sheet from its summits down. Where two floods meet, they become one unless a
+  /// neck is there.
+  void cutAtNecks(double neckRatio)
+  {
+    std::vector<std::pair<double, Edge>> valleys;
+    this->all.forLinks([this](Index t) { return this->all.plate[t] ? this->sheets.find(t) : None; },
+      [&](Index a, Index b) {
+        valleys.push_back({ -std::min(this->all.time[a], this->all.time[b]), { a, b } });
+      });
+    std::sort(valleys.begin(), valleys.end());
+    std::vector<double> summit = this->all.time; // of each piece, by its lowest triangle
+    for (const auto& [depth, sides] : valleys)
+    {
+      const Index a = this->pieces.find(sides[0]), b = this->pieces.find(sides[1]);
+      if (a != b && -depth >= neckRatio * std::min(summit[a], summit[b]))
+      {
+        this->pieces.unite(a, b);
+        summit[this->pieces.find(a)] = std::max(summit[a], summit[b]);
+      }
+    }
+  }
+
+  /// The plates by their triangles; of no use where there is no plate.
+  const DisjointSets& result() const { return this->pieces; }
+
+private:
+  /// Unites the triangles at edges that have exactly two plate triangles.
+  void forManifoldSides(DisjointSets& sets, bool withoutFins)
+  {
+    for (Index e = 0; e < count(this->all.edges.points); ++e)
+    {
+      Edge two{ None, None };
+      Index number = 0;
+      for (const Index t : this->all.edges.triangles[e])
+      {
+        if (this->all.plate[t] && !(withoutFins && this->all.fin[t]))
+        {
+          two[number % 2] = t;
+          ++number;
+        }
+      }
+      if (number == 2)
+      {
+        sets.unite(two[0], two[1]);
+      }
+    }
+  }
+
+  /// For each point the lowest group of plate triangles at it, or None.
+  std::vector<Index> groupsAtPoints(DisjointSets& groups)
+  {
+    std::vector<Index> result(this->all.axis.points.size(), None);
+    for (Index t = count(this->all.triangles) - 1; t >= 0; --t)
+    {
+      for (const Index p : this->all.triangles[t])
+      {
+        result[p] = this->all.plate[t] ? groups.find(t) : result[p];
+      }
+    }
+    return result;
+  }
+
+  SheetTriangles& all;
+  double leastRatio;
+  DisjointSets sheets;
+  DisjointSets pieces;
+};
+
+/// Step 4.
+class Joining
+{
+public:
+  Joining(const SheetTriangles& sheetTriangles, DisjointSets cutPieces)
+    : all(sheetTriangles)
+    , pieces(std::move(cutPieces))
+  {
+  }
+
+  /// Each small piece joins one neighbour; again while there are small ones that have some. The
+  /// number of these halves each time.
+  void joinSmall(const Execution& execution)
+  {
+    bool joined = true;
+    while (joined)
+    {
+      execution.poll();
+      joined = false;
+      const SheetTriangles::Sums sums = this->all.sumsOf(this->pieces);
+      std::vector<Border> borders = this->bordersOfSmall(sums);
+      for (std::size_t i = 0; i < borders.size();)
+      {
+        const Index from = borders[i].from;
+        Border longest = borders[i];
+        for (; i < borders.size() && borders[i].from == from; ++i)
+        {
+          longest = borders[i].length > longest.length ? borders[i] : longest;
+        }
+        joined = this->pieces.unite(from, longest.to) || joined;
+      }
+    }
+  }
+
+  PlatePieces result()
+  {
+    PlatePieces result;
+    result.isFin = this->all.fin;
+    result.ofTriangle.assign(this->all.triangles.size(), None);
+    std::vector<Index> number(this->all.triangles.size(), None);
+    for (Index t = 0; t < count(this->all.triangles); ++t)
+    {
+      if (this->all.plate[t])
+      {
+        Index& piece = number[this->pieces.find(t)];
+        piece = piece == None ? result.count++ : piece;
+        result.ofTriangle[t] = piece;
+      }
+    }
+    return result;
+  }
+
+private:
+  /// The borders of small pieces and fins, by piece and neighbour, with their lengths. Where many pieces
+  /// meet at an edge each has two neighbours.
+  std::vector<Border> bordersOfSmall(const SheetTriangles::Sums& sums)
+  {
+    std::vector<Border> borders;
+    std::vector<Index> at;
+    for (Index e = 0; e < count(this->all.edges.points); ++e)
+    {
+      at.clear();
+      for (const Index t : this->all.edges.triangles[e])
+      {
+        if (this->all.plate[t])
+        {
+          at.push_back(this->pieces.find(t));
+        }
+      }
+      sortUnique(at);
+      const Edge& ends = this->all.edges.points[e];
+      const double length =
+        (this->all.axis.points[ends[0]] - this->all.axis.points[ends[1]]).norm();
+      for (std::size_t i = 0; at.size() > 1 && i < at.size(); ++i)
+      {
+        if (sums.isSmall(at[i]))
+        {
+          borders.push_back({ at[i], at[(i + 1) % at.size()], length });
+          borders.push_back({ at[i], at[(i + at.size() - 1) % at.size()], length });
+        }
+      }
+    }
+    return summed(std::move(borders));
+  }
+
+  /// One border for each piece and neighbour.
+  static std::vector<Border> summed(std::vector<Border> borders)
+  {
+    std::stable_sort(borders.begin(), borders.end(), [](const Border& a, const Border& b) {
+      return std::pair(a.from, a.to) < std::pair(b.from, b.to);
+    });
+    std::vector<Border> result;
+    for (const Border& border : borders)
+    {
+      if (result.empty() || result.back().from != border.from || result.back().to != border.to)
+      {
+        result.push_back({ border.from, border.to, 0 });
+      }
+      result.back().length += border.length;
+    }
+    return result;
+  }
+
+  const SheetTriangles& all;
+  DisjointSets pieces;
+};
+}
+
+PlatePieces platePieces(const MedialAxis& axis, const AxisEdges& edges, const SheetWidths& widths,
+  double plateRatio, double neckRatio, const Execution& execution)
+{
+  SheetTriangles triangles(axis, edges, widths, plateRatio);
+  Cutter cutter(triangles, plateRatio);
+  cutter.dropMeetings(pointVolumes(axis));
+  execution.poll();
+  cutter.cutAtSeams();
+  execution.poll();
+  cutter.cutAtNecks(neckRatio);
+  Joining joining(triangles, cutter.result());
+  joining.joinSmall(execution);
+  return joining.result();
+}
+}
