@@ -179,6 +179,32 @@ constexpr const char* MovedBy = "MovedBy";
 constexpr const char* Verdict = "Verdict";
 // ... field data, a text for each reason; no array where there is none
 constexpr const char* VerdictReasons = "VerdictReasons";
+
+// vtkPlatesAndRods: points
+constexpr const char* SheetWidth = "SheetWidth";
+constexpr const char* Thickness = "Thickness"; // and cells of the surface
+constexpr const char* WidthRatio = "WidthRatio";
+constexpr const char* PlateOrRod =
+  "PlateOrRod"; // and cells, cells of the surface, column of the table
+constexpr const char* ElementId = "ElementId"; // the same
+// ... columns of the table; Volume, Centroid, Neighbors too
+constexpr const char* Area = "Area";
+constexpr const char* Length = "Length";
+constexpr const char* MeanThickness = "MeanThickness";
+constexpr const char* MinimumThickness = "MinimumThickness";
+constexpr const char* MaximumThickness = "MaximumThickness";
+constexpr const char* Direction = "Direction";
+// ... field data of the table, lists of elements, one list for each element
+constexpr const char* NeighborOffsets = "NeighborOffsets";
+constexpr const char* NeighborElements = "NeighborElements";
+// ... field data of axis and table, single values
+constexpr const char* NumberOfPlates = "NumberOfPlates";
+constexpr const char* NumberOfRods = "NumberOfRods";
+constexpr const char* PlateVolume = "PlateVolume";
+constexpr const char* RodVolume = "RodVolume";
+constexpr const char* PlatePlateJunctions = "PlatePlateJunctions";
+constexpr const char* PlateRodJunctions = "PlateRodJunctions";
+constexpr const char* RodRodJunctions = "RodRodJunctions";
 }
 }
 
