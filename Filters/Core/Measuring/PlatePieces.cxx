@@ -4,6 +4,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Lists.h"
 #include "Measuring/PointVolumes.h"
+#include "Measuring/SheetMerging.h"
 
 #include <algorithm>
 #include <tuple>
@@ -57,18 +58,20 @@ struct SheetTriangles
   {
     std::vector<double> area;      ///< without fins
     std::vector<double> thickness; ///< the largest one
+    double spacing;                ///< of the samples, which tell nothing of what is smaller
 
     /// Is it too small for a plate?
     bool isSmall(Index set) const
     {
-      return area[set] <= leastArea * thickness[set] * thickness[set];
+      const double side = std::max(thickness[set], spacing);
+      return area[set] <= leastArea * side * side;
     }
   };
 
   Sums sumsOf(DisjointSets& sets) const
   {
     Sums sums{ std::vector<double>(this->triangles.size(), 0),
-      std::vector<double>(this->triangles.size(), 0) };
+      std::vector<double>(this->triangles.size(), 0), this->axis.sampleSpacing };
     for (Index t = 0; t < count(this->triangles); ++t)
     {
       if (!this->fin[t])
@@ -159,9 +162,16 @@ public:
   }
 
   /// Step 2.
-  void cutAtSeams()
+  void cutAtSeams(const Execution& execution)
   {
-    this->forManifoldSides(this->sheets, false);
+    for (Index e = 0; e < count(this->all.edges.points); ++e)
+    {
+      const IndexLists::View at = this->all.edges.triangles[e];
+      if (at.size() == 2 && this->all.plate[at[0]] && this->all.plate[at[1]])
+      {
+        this->sheets.unite(at[0], at[1]);
+      }
+    }
     std::vector<char> stands(this->all.triangles.size(), 0);
     for (Index t = 0; t < count(this->all.triangles); ++t)
     {
@@ -171,7 +181,7 @@ public:
     {
       this->all.fin[t] = !stands[this->sheets.find(t)];
     }
-    this->forManifoldSides(this->sheets, true);
+    mergeByBonds(this->sheets, this->bonds(), execution);
   }
 
   /// Step 3: floods each sheet from its summits down. Where two floods meet, they become one unless a
@@ -200,26 +210,32 @@ public:
   const DisjointSets& result() const { return this->pieces; }
 
 private:
-  /// Unites the triangles at edges that have exactly two plate triangles.
-  void forManifoldSides(DisjointSets& sets, bool withoutFins)
+  /// Edges at which exactly two triangles of plates are left without fins bind these; those with more
+  /// speak against it. So a seam stays one where the third sheet has a gap.
+  std::vector<Bond> bonds()
   {
+    std::vector<Bond> result;
+    std::vector<Index> at;
     for (Index e = 0; e < count(this->all.edges.points); ++e)
     {
-      Edge two{ None, None };
-      Index number = 0;
+      at.clear();
       for (const Index t : this->all.edges.triangles[e])
       {
-        if (this->all.plate[t] && !(withoutFins && this->all.fin[t]))
+        if (this->all.plate[t] && !this->all.fin[t])
         {
-          two[number % 2] = t;
-          ++number;
+          at.push_back(t);
         }
       }
-      if (number == 2)
+      const Edge& ends = this->all.edges.points[e];
+      const double length =
+        (this->all.axis.points[ends[0]] - this->all.axis.points[ends[1]]).norm();
+      for (std::size_t i = 0; at.size() > 1 && i < at.size(); ++i)
       {
-        sets.unite(two[0], two[1]);
+        const Index next = at[(i + 1) % at.size()];
+        result.push_back({ at[i], next, at.size() == 2 ? length / 2 : -length });
       }
     }
+    return result;
   }
 
   /// For each point the lowest group of plate triangles at it, or None.
@@ -357,7 +373,7 @@ PlatePieces platePieces(const MedialAxis& axis, const AxisEdges& edges, const Sh
   Cutter cutter(triangles, plateRatio);
   cutter.dropMeetings(pointVolumes(axis));
   execution.poll();
-  cutter.cutAtSeams();
+  cutter.cutAtSeams(execution);
   execution.poll();
   cutter.cutAtNecks(neckRatio);
   Joining joining(triangles, cutter.result());

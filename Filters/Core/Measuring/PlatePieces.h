@@ -23,10 +23,11 @@ struct PlatePieces
 /// Finds the triangles of plates, those with two corners of more than `plateRatio`, and cuts what hangs
 /// together into single plates:
 ///
-/// 1. A plate that is smaller than 1.5 squares of its thickness is none, unless it holds half of the
-///    volume of its connected piece of the axis: it is where rods meet.
+/// 1. A plate that is smaller than 1.5 squares of its thickness, or of the spacing of the samples, is none,
+///    unless it holds half of the volume of its connected piece of the axis: it is where rods meet.
 /// 2. Cut along seams, where three or more sheets meet. Sheets that on their own are not wider than
-///    `plateRatio` are fins of what they stand on: where they go, the others grow together.
+///    `plateRatio` are fins of what they stand on: where they go, the others grow together, unless a
+///    longer seam is between them.
 /// 3. Cut along the bottom of the valley between two summits of the burn time, where it is below
 ///    `neckRatio` of the lower one: the plate's width is there below this part of the narrower side's.
 /// 4. Fins, and pieces that are too small, as in 1, go to the plate that they share the

@@ -195,8 +195,8 @@ public:
     const Index a = chain.end(0), b = chain.end(1);
     const auto isMeeting = [this](
                              Index p) { return this->linesAt[p].size() > 2 || this->anchor[p]; };
-    return isMeeting(a) && isMeeting(b) &&
-      chain.length < this->axis.radii[this->covering[a]] + this->axis.radii[this->covering[b]];
+    const double radii = this->axis.radii[this->covering[a]] + this->axis.radii[this->covering[b]];
+    return isMeeting(a) && isMeeting(b) && chain.length < std::max(radii, this->axis.sampleSpacing);
   }
 
   Ball ball(Index p) const { return { this->axis.points[p], this->axis.radii[p] }; }

@@ -24,7 +24,7 @@ struct RodBranches
 };
 
 /// Cuts the skeleton where more than two lines meet and at anchors. Two such places are one junction
-/// where the way between them is shorter than the sum of the radii there. Two rods that end at a place without a third
+/// where the way between them is shorter than the sum of the radii there, or than the spacing of the samples. Two rods that end at a place without a third
 /// one, and without an anchor, are one rod. Rods are numbered by their first lines.
 /// @param covering  for each point, see CoveringBalls.h
 RodBranches rodBranches(const MedialAxis& axis, const RodSkeleton& skeleton,
