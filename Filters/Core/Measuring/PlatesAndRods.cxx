@@ -59,11 +59,18 @@ public:
   }
 
 private:
-  void addContact(Index a, Index b)
+  /// All of these elements meet.
+  void addMeeting(std::vector<Index> elements)
   {
-    if (a != b && a != None && b != None)
+    sortUnique(elements);
+    constexpr std::size_t few = 16; // all pairs would be too many where very many meet
+    for (std::size_t i = elements.front() == None ? 1 : 0; i < std::min(few, elements.size()); ++i)
     {
-      this->contacts.insert(this->contacts.end(), { { a, b }, { b, a } });
+      for (std::size_t k = i + 1; k < elements.size(); ++k)
+      {
+        const Index a = elements[i], b = elements[k];
+        this->contacts.insert(this->contacts.end(), { { a, b }, { b, a } });
+      }
     }
   }
 
@@ -73,18 +80,16 @@ private:
     {
       const IndexLists::View anchors = this->branches.anchorsAtJunction[junction];
       (anchors.size() > 0 ? this->all.mixedJunctions : this->all.rodJunctions) += 1;
-      const IndexLists::View rodsHere = this->branches.rodsAtJunction[junction];
-      for (const Index rod : rodsHere)
+      std::vector<Index> elements;
+      for (const Index rod : this->branches.rodsAtJunction[junction])
       {
-        for (const Index other : rodsHere)
-        {
-          this->addContact(this->elementOfRod[rod], this->elementOfRod[other]);
-        }
-        for (const Index p : anchors)
-        {
-          this->addContact(this->elementOfRod[rod], this->rods.plateAt[p]);
-        }
+        elements.push_back(this->elementOfRod[rod]);
       }
+      for (const Index p : anchors)
+      {
+        elements.push_back(this->rods.plateAt[p]);
+      }
+      this->addMeeting(std::move(elements));
     }
   }
 
@@ -122,14 +127,18 @@ private:
   /// Elements whose cells share a point are neighbours.
   void addContacts()
   {
-    std::vector<Index> firstAt(this->axis.points.size(), None);
-    for (Index cell = 0; cell < this->axis.cells.size(); ++cell)
+    const IndexLists elementsAt = listsByKey(count(this->axis.points), [this](const auto& add) {
+      for (Index cell = 0; cell < this->axis.cells.size(); ++cell)
+      {
+        forPoints(this->axis.cells, cell, [&](Index p) { add(p, this->all.elementOfCell[cell]); });
+      }
+    });
+    for (Index p = 0; p < elementsAt.size(); ++p)
     {
-      const Index element = this->all.elementOfCell[cell];
-      forPoints(this->axis.cells, cell, [&](Index p) {
-        firstAt[p] = firstAt[p] == None ? element : firstAt[p];
-        this->addContact(firstAt[p], element);
-      });
+      if (elementsAt[p].size() > 1)
+      {
+        this->addMeeting({ elementsAt[p].begin(), elementsAt[p].end() });
+      }
     }
   }
 
@@ -149,7 +158,6 @@ private:
           const auto [a, b] = this->edges.points[e];
           seams.unite(a, b);
           onSeam[a] = onSeam[b] = 1;
-          this->addContact(first, plate);
         }
         first = first == None ? plate : first;
       }

@@ -290,6 +290,39 @@ TEST(PlatesAndRods, DoNotDependOnUnitOrThreads)
   EXPECT_EQ(scaled.widths.ratio, found.widths.ratio);
 }
 
+TEST(PlatesAndRods, ReportProgressAndStop)
+{
+  const MedialAxis axis = axisOf(shapes::strutSamples(shapes::platesAndRod(), 0.12, 0.05, 1));
+  pipelines::expectProgressAndAbort(
+    [&axis](const medial::Execution& execution) { medial::platesAndRods(axis, {}, execution); });
+}
+
+// A step that looked at all pairs of pages would take minutes.
+TEST(PlatesAndRods, ABookOfVeryManyPagesTakesNoTime)
+{
+  constexpr Index pages = 100000;
+  std::vector<Point> points{ { 0, 0, 0 }, { 0, 0, 1 } };
+  medial::AxisCells cells;
+  for (Index i = 0; i < pages; ++i)
+  {
+    points.emplace_back(std::cos(i), std::sin(i), 0.5);
+    cells.triangles.push_back({ 0, 1, i + 2 });
+  }
+  for (const double erosion : { 0., 1. }) // rods, plates
+  {
+    MedialAxis axis;
+    axis.points = points;
+    axis.cells = cells;
+    axis.radii.assign(points.size(), 0.1);
+    axis.ballOfPoint.assign(points.size(), None);
+    axis.erosion.assign(points.size(), erosion);
+    axis.cellErosion.assign(pages, erosion);
+    const PlatesAndRods found = medial::platesAndRods(axis);
+    EXPECT_EQ(found.plateJunctions, erosion);
+    EXPECT_EQ(found.elements.front().isPlate, erosion > 0);
+  }
+}
+
 TEST(PlatesAndRods, RefuseRatiosThatMakeNoSense)
 {
   const MedialAxis axis = band(1);
