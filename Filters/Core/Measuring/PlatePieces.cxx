@@ -164,10 +164,13 @@ public:
   /// Step 2.
   void cutAtSeams(const Execution& execution)
   {
+    const std::vector<char> onSeam = this->seamPoints();
     for (Index e = 0; e < count(this->all.edges.points); ++e)
     {
       const IndexLists::View at = this->all.edges.triangles[e];
-      if (at.size() == 2 && this->all.plate[at[0]] && this->all.plate[at[1]])
+      const auto [a, b] = this->all.edges.points[e];
+      if (at.size() == 2 && this->all.plate[at[0]] && this->all.plate[at[1]] &&
+        !(onSeam[a] && onSeam[b]))
       {
         this->sheets.unite(at[0], at[1]);
       }
@@ -210,6 +213,21 @@ public:
   const DisjointSets& result() const { return this->pieces; }
 
 private:
+  /// For each point: does it lie on an edge with more than two triangles? An edge between two such points
+  /// may be a gap in a seam.
+  std::vector<char> seamPoints() const
+  {
+    std::vector<char> result(this->all.axis.points.size(), 0);
+    for (Index e = 0; e < count(this->all.edges.points); ++e)
+    {
+      if (this->all.edges.triangles[e].size() > 2)
+      {
+        result[this->all.edges.points[e][0]] = result[this->all.edges.points[e][1]] = 1;
+      }
+    }
+    return result;
+  }
+
   /// Edges at which exactly two triangles of plates are left without fins bind these; those with more
   /// speak against it. So a seam stays one where the third sheet has a gap.
   std::vector<Bond> bonds()
@@ -229,10 +247,13 @@ private:
       const Edge& ends = this->all.edges.points[e];
       const double length =
         (this->all.axis.points[ends[0]] - this->all.axis.points[ends[1]]).norm();
-      for (std::size_t i = 0; at.size() > 1 && i < at.size(); ++i)
+      // Not all pairs, where there are very many.
+      for (std::size_t i = 0; i < at.size(); ++i)
       {
-        const Index next = at[(i + 1) % at.size()];
-        result.push_back({ at[i], next, at.size() == 2 ? length / 2 : -length });
+        for (std::size_t k = i + 1; k < std::min(at.size(), i + 4); ++k)
+        {
+          result.push_back({ at[i], at[k], at.size() == 2 ? length : -length });
+        }
       }
     }
     return result;

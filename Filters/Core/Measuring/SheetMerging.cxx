@@ -2,6 +2,7 @@
 #include "Measuring/SheetMerging.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <queue>
 #include <tuple>
@@ -26,6 +27,8 @@ public:
       {
         this->bondsOf[a][b] += bond.strength;
         this->bondsOf[b][a] += bond.strength;
+        this->weight[a] += std::abs(bond.strength);
+        this->weight[b] += std::abs(bond.strength);
       }
     }
     for (const auto& [name, others] : this->bondsOf)
@@ -51,7 +54,8 @@ public:
       if (set != this->bondsOf.end())
       {
         const auto bond = set->second.find(b);
-        if (bond != set->second.end() && bond->second == -weakness)
+        if (bond != set->second.end() && bond->second == -weakness &&
+          this->isStrong(a, b, -weakness))
         {
           this->unite(a, b);
         }
@@ -71,6 +75,13 @@ private:
     }
   }
 
+  /// Is it more than a gap in the border of the set with the shorter one?
+  bool isStrong(Index a, Index b, double strength)
+  {
+    constexpr double least = 0.1;
+    return strength > least * std::min(this->weight[a], this->weight[b]);
+  }
+
   void unite(Index a, Index b)
   {
     if (this->bondsOf[a].size() < this->bondsOf[b].size())
@@ -78,6 +89,7 @@ private:
       std::swap(a, b);
     }
     this->sets.unite(a, b);
+    this->weight[a] += this->weight[b];
     Bonds& kept = this->bondsOf[a];
     kept.erase(b);
     const Bonds moved = std::move(this->bondsOf[b]);
@@ -96,6 +108,7 @@ private:
 
   DisjointSets& sets;
   std::map<Index, Bonds> bondsOf; ///< by names of sets, in both directions
+  std::map<Index, double> weight; ///< by names of sets: the amounts of all their bonds
   using Offer = std::tuple<double, Index, Index, Index, Index>; // -strength, lowest members, names
   std::priority_queue<Offer, std::vector<Offer>, std::greater<>> strongest;
 };

@@ -45,6 +45,14 @@ TEST(SheetMerging, ASmallSetDoesNotBindWhatALongSeamParts)
     merged(3, { { 0, 1, -10 }, { 0, 2, 3 }, { 1, 2, 1 } }), (std::vector<Index>{ 0, 1, 0 }));
 }
 
+TEST(SheetMerging, AGapInALongBorderDoesNotUnite)
+{
+  EXPECT_EQ(
+    merged(4, { { 0, 1, 0.5 }, { 0, 2, -10 }, { 1, 3, -10 } }), (std::vector<Index>{ 0, 1, 2, 3 }));
+  EXPECT_EQ(
+    merged(4, { { 0, 1, 2.5 }, { 0, 2, -10 }, { 1, 3, -10 } }), (std::vector<Index>{ 0, 0, 2, 3 }));
+}
+
 TEST(SheetMerging, SetsThatAreThereStay)
 {
   DisjointSets sets(4);
