@@ -112,6 +112,19 @@ inline std::vector<Strut> threeRods()
     segment({ 0, 0, 0 }, { -1, -1.7, 0 }) };
 }
 
+/// Six rods along the axes from the origin.
+inline std::vector<Strut> sixRods()
+{
+  std::vector<Strut> result;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Point end = Point::Zero();
+    end[axis] = 1.5;
+    result.push_back(segment(-end, end));
+  }
+  return result;
+}
+
 /// Two turns of a helix of radius 1 and pitch 1.2, of short segments.
 inline std::vector<Strut> spring()
 {

@@ -33,7 +33,10 @@ struct PlatePieces
 /// 4. Fins, and pieces that are too small, as in 1, go to the plate that they share the
 ///    longest border with.
 ///
-/// Takes O(n log n) time.
+/// Where four sheets meet along one line they are four plates in most samplings of the solid, but may be
+/// three or two: then the axis itself goes on over gaps in the seam.
+///
+/// Takes O(n log^2 n) time.
 /// @param plateRatio  least W / T of a plate
 /// @param neckRatio   0 ... 1; 0 cuts no necks
 PlatePieces platePieces(const MedialAxis& axis, const AxisEdges& edges, const SheetWidths& widths,

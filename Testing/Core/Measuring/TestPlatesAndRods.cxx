@@ -173,6 +173,11 @@ TEST(PlatesAndRods, CountThreeRodsThatMeet)
   expectCensus(shapes::threeRods(), 0.3, 0.1, "0 plates, 3 rods, 0+0+1 junctions");
 }
 
+TEST(PlatesAndRods, CountSixRodsThatMeet)
+{
+  expectCensus(shapes::sixRods(), 0.25, 0.09, "0 plates, 6 rods, 0+0+1 junctions");
+}
+
 TEST(PlatesAndRods, CountTheFrameOfACube)
 {
   expectCensus(shapes::cubeFrame(), 0.25, 0.09, "0 plates, 12 rods, 0+0+8 junctions");
