@@ -203,6 +203,30 @@ constexpr const char* VolumeShare = "VolumeShare";
 constexpr const char* Place = "Place";
 constexpr const char* Depth = "Depth";
 constexpr const char* AxisPoint = "AxisPoint";
+// vtkPlatesAndRods: points; Thickness too, and of the surface's cells
+constexpr const char* SheetWidth = "SheetWidth";
+constexpr const char* WidthRatio = "WidthRatio";
+constexpr const char* PlateOrRod =
+  "PlateOrRod"; // and cells, cells of the surface, column of the table
+constexpr const char* ElementId = "ElementId"; // the same
+// ... columns of the table; Volume, Centroid, Neighbors too
+constexpr const char* Area = "Area";
+constexpr const char* Length = "Length";
+constexpr const char* MeanThickness = "MeanThickness";
+constexpr const char* MinimumThickness = "MinimumThickness";
+constexpr const char* MaximumThickness = "MaximumThickness";
+constexpr const char* Direction = "Direction";
+// ... field data of the table, lists of elements, one list for each element
+constexpr const char* NeighborOffsets = "NeighborOffsets";
+constexpr const char* NeighborElements = "NeighborElements";
+// ... field data of axis and table, single values
+constexpr const char* NumberOfPlates = "NumberOfPlates";
+constexpr const char* NumberOfRods = "NumberOfRods";
+constexpr const char* PlateVolume = "PlateVolume";
+constexpr const char* RodVolume = "RodVolume";
+constexpr const char* PlatePlateJunctions = "PlatePlateJunctions";
+constexpr const char* PlateRodJunctions = "PlateRodJunctions";
+constexpr const char* RodRodJunctions = "RodRodJunctions";
 }
 }
 

@@ -128,8 +128,8 @@ void checkNormals(const std::vector<Point>& normals)
     if (!normals[s].isZero() && !(std::abs(normals[s].norm() - 1) <= moved))
     {
       throw InvalidInput("the field array '", names::SampleNormals, "' has a normal of length ",
-        normals[s].norm(), " at ", s, "; its length is 1, or 0 where it isn't known: ",
-        TakePolarBalls);
+        normals[s].norm(), " at ", s,
+        "; its length is 1, or 0 where it isn't known: ", TakePolarBalls);
     }
   }
 }

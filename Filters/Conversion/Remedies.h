@@ -14,6 +14,9 @@ constexpr const char* TakeMedialAxis =
   "arrays: make them again)";
 
 constexpr const char* TakeParts = "take the output of vtkMedialPartDecomposition or vtkMedialPrune";
+
+constexpr const char* TakePowerCrust =
+  "take the output of vtkPowerCrust that was made with this axis, or one that was pruned to it";
 }
 
 #endif

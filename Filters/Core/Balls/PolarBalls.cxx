@@ -191,7 +191,7 @@ struct DecidedSides
 {
   std::vector<Side> ofBall;
   std::vector<Point> normals; ///< of the samples; empty where there are none that are of use
-  Warnings warnings; ///< about normals
+  Warnings warnings;          ///< about normals
 };
 
 /// The sides by the samples' normals, or without.
@@ -294,7 +294,7 @@ PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
   const Execution labelling = execution.between(0.8, 0.9);
   const DecidedSides decided = solid
     ? DecidedSides{ sidesIn(*solid, distinct.frame, evidence, labelling),
-      distinctNormals(normals, distinct), {} }
+        distinctNormals(normals, distinct), {} }
     : decidedSides(evidence, normals, distinct, result.ballSamples, labelling);
   result.sides = decided.ofBall;
   result.normals = decided.normals;

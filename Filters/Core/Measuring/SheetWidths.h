@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_SheetWidths_h
+#define medial_SheetWidths_h
+
+#include "Axis/AxisEdges.h"
+#include "Axis/MedialAxis.h"
+#include "Base/Execution.h"
+
+#include <vector>
+
+namespace medial
+{
+/// How wide and how thick the solid is around each point of its axis; unit of the samples.
+///
+/// The burn time of a point is its erosion thickness plus its radius: when the fire from the border of
+/// the solid has come there. From each point one climbs along the sides of triangles, always the
+/// steepest one, to a summit of the burn time, the middle of the sheet. There the fire has come half
+/// the width of the sheet: W = 2 * burn time, T = 2 * radius. A rod with an elliptic section has
+/// W / T = a / b but for the caps that its axis lacks.
+///
+/// What no fire reaches (closed sheets, as of a hollow sphere) has the largest erosion thickness of
+/// all, at least the diagonal of the box around the balls. So its width is more than twice that
+/// diagonal: finite, and no width of the solid.
+struct SheetWidths
+{
+  std::vector<Index> summit;     ///< for each point; itself where it has no triangle
+  std::vector<double> width;     ///< W; where there is no triangle 2 * radius
+  std::vector<double> thickness; ///< T, at the summit
+  std::vector<double> ratio;     ///< W / T; 1 where there is no triangle, or the radius is 0
+};
+
+/// Takes linear time. Of equally steep sides the one to the lower point is taken.
+SheetWidths sheetWidths(
+  const MedialAxis& axis, const AxisEdges& edges, const Execution& execution = {});
+}
+
+#endif
