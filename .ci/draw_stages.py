@@ -36,10 +36,12 @@ FLOW = {
                      ["PartId", "KeepReason"]),
     "Crust": Stage("builds the surface around the kept balls", "vtkPowerCrust", "surface",
                    ["PartId", "InnerBall", "OuterBall"]),
+    "Measuring": Stage("measures the solid: volumes, thickness, topology", "vtkMorphometry", "table",
+                       ["ColumnUnits"]),
 }
 FOUNDATION = "Base"  # holds what all stages share, and takes no part in the flow
-FIRST_DATA, LAST_DATA = "image", "surface"
-SECOND_INPUT = "balls"  # of the last stage
+FIRST_DATA, LAST_DATA = "image", "table"
+SECOND_INPUT = "balls"  # of the last two stages
 
 WIDTH, LEFT, BOX, LINE = 810, 20, 710, 18
 GAP = 64  # between two boxes, for the data
@@ -124,7 +126,8 @@ def drawing():
         y += height
         body += svg + data_at(y, stage.gives, stage.arrays)
         y += GAP
-    body += second_input(middles[SECOND_INPUT], middles[LAST_DATA])
+    body += second_input(middles[SECOND_INPUT], middles["surface"])
+    body += arrow("M %d %d V %d H %d" % (LEFT + BOX + 35, middles["surface"], middles[LAST_DATA], LEFT + BOX + 3))
     svg, height = box_of(FOUNDATION, "holds what all stages share", "", included[FOUNDATION], y)
     return page(body + svg, y + height + 20)
 

@@ -203,6 +203,12 @@ constexpr const char* VolumeShare = "VolumeShare";
 constexpr const char* Place = "Place";
 constexpr const char* Depth = "Depth";
 constexpr const char* AxisPoint = "AxisPoint";
+// vtkMorphometry: columns, beside one for each quantity, Quantity::name in Core/Measuring/Morphometry.h;
+// Betti, BettiSolid and Verdict too
+constexpr const char* Name = "Name";
+constexpr const char* Unit = "Unit";
+// ... field data, a text for each column
+constexpr const char* ColumnUnits = "ColumnUnits";
 }
 }
 
