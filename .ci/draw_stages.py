@@ -36,7 +36,7 @@ FLOW = {
                      ["PartId", "KeepReason"]),
     "Crust": Stage("builds the surface around the kept balls", "vtkPowerCrust", "surface",
                    ["PartId", "InnerBall", "OuterBall"]),
-    "Measuring": Stage("measures thickness, plates and rods", "vtkLocalThickness", "measures",
+    "Measuring": Stage("measures thickness, plates and rods", "vtkMorphometry", "measures",
                        ["Thickness", "Separation", "PlateOrRod"]),
 }
 FOUNDATION = "Base"  # holds what all stages share, and takes no part in the flow

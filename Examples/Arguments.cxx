@@ -2,9 +2,11 @@
 #include "Arguments.h"
 
 #include "Errors.h"
-#include "ImageNames.h"
+#include "ImageOptions.h"
 #include "Lines.h"
+#include "MeasuringOptions.h"
 #include "Messages.h"
+#include "Morphometry.h"
 #include "Options.h"
 
 #include <vtkMedialPrune.h>
@@ -42,16 +44,6 @@ bool parseTopology(const std::string& word)
     throw UsageError("--topology is 'collapse' or 'none', not '" + word + "'");
   }
   return word == "collapse";
-}
-
-double parseGaussian(const std::string& word)
-{
-  double result = 0;
-  if (!parseReal(word, result) || !(result >= 0 && result <= 10))
-  {
-    throw UsageError("--gaussian takes a number of voxels from 0 to 10, not '" + word + "'");
-  }
-  return result;
 }
 
 double parseLength(const char* option, const std::string& word)
@@ -125,26 +117,6 @@ void checkSchedule(const std::string& words)
   }
 }
 
-double parseValue(const char* option, const std::string& word)
-{
-  double value = 0;
-  if (!parseReal(word, value) || !std::isfinite(value))
-  {
-    throw UsageError(std::string(option) + " takes a number, not '" + word + "'");
-  }
-  return value;
-}
-
-int parseVoxels(const char* option, const std::string& word)
-{
-  int voxels = 0;
-  if (!parseCount(word, voxels))
-  {
-    throw UsageError(std::string(option) + " takes a number of voxels, not '" + word + "'");
-  }
-  return voxels;
-}
-
 auto turnsOn(bool& property)
 {
   return [&property](const std::string&) { property = true; };
@@ -191,50 +163,15 @@ std::vector<Option> inputOptions(Arguments& arguments)
   };
 }
 
-/// How the solid in an image is found.
-std::vector<Option> imageOptions(Arguments& arguments)
-{
-  return {
-    { "--iso", "X", "of an image: the solid are the voxels of at least the value X",
-      [&](const std::string& value) { arguments.iso = parseValue("--iso", value); } },
-    { "--label", "N",
-      "of an image: the solid are the voxels of the value N (default: the one of two values\n"
-      "that isn't 0)",
-      [&](const std::string& value) { arguments.label = parseValue("--label", value); } },
-    { "--series", "N",
-      "of a folder of DICOM files: the one to take of several series, counted from 1",
-      [&](const std::string& value) {
-        if (!parseCount(value, arguments.series) || arguments.series < 1)
-        {
-          throw UsageError("--series takes a number from 1 on, not '" + value + "'");
-        }
-      } },
-    { "--fill-cavities", "N", "fills cavities of at most N voxels (default: 50)",
-      [&](const std::string& value) {
-        arguments.fillCavities = parseVoxels("--fill-cavities", value);
-      } },
-    { "--no-fill", "", "fills none", [&](const std::string&) { arguments.fillCavities = 0; } },
-    { "--pieces", "WHICH",
-      "largest   keeps the largest connected piece of the voxels alone\n"
-      "N         keeps those of at least N voxels (default: 50)",
-      [&](const std::string& value) {
-        arguments.largestPiece = value == "largest";
-        if (!arguments.largestPiece)
-        {
-          arguments.smallestPiece = parseVoxels("--pieces", value);
-        }
-      } },
-    { "--gaussian", "R", "smooths the voxels by a Gaussian of R voxels, at most 10 (default: 0.7)",
-      [&](const std::string& value) { arguments.gaussian = parseGaussian(value); } },
-  };
-}
-
 /// What is done with the axis.
 std::vector<Option> pruningOptions(Arguments& arguments)
 {
   return {
     { "--output", "DIR", "where the results go (default: out)",
-      [&](const std::string& value) { arguments.output = value; } },
+      [&](const std::string& value) {
+        arguments.output = value;
+        arguments.writesResults = true;
+      } },
     { "--ma", "", "also writes axis.ma and pruned.ma, for Blender, Q-MAT, MATTopo and others",
       turnsOn(arguments.medialMeshes) },
     { "--export-parts", "",
@@ -284,22 +221,28 @@ std::vector<Option> runOptions(Arguments& arguments)
 std::vector<Option> optionsOf(Arguments& arguments)
 {
   std::vector<Option> result = pruningOptions(arguments);
-  for (const auto& more :
-    { inputOptions(arguments), imageOptions(arguments), runOptions(arguments) })
+  for (const auto& more : { inputOptions(arguments), imageOptions(arguments),
+         measuringOptions(arguments), runOptions(arguments) })
   {
     result.insert(result.end(), more.begin(), more.end());
   }
   return result;
 }
 
-void takeInput(Arguments& arguments, const std::string& word)
+void completeInputs(Arguments& arguments)
 {
-  if (!arguments.input.empty())
+  if (arguments.inputs.empty())
   {
-    throw UsageError("one input at a time: both '" + arguments.input + "' and '" + word +
-      "' are given; a schedule of several words needs quotes");
+    throw UsageError("no input is given; SimplifyShape --help tells how to use it");
   }
-  arguments.input = word;
+  if (arguments.cohort.empty() && arguments.inputs.size() > 1)
+  {
+    throw UsageError("one input at a time: both '" + arguments.inputs[0] + "' and '" +
+      arguments.inputs[1] +
+      "' are given; a schedule of several words needs quotes, several objects "
+      "--cohort");
+  }
+  arguments.input = arguments.inputs.front();
 }
 
 /// Checks what depends on several words of the command line.
@@ -309,10 +252,7 @@ void complete(Arguments& arguments)
   {
     return;
   }
-  if (arguments.input.empty())
-  {
-    throw UsageError("no input is given; SimplifyShape --help tells how to use it");
-  }
+  completeInputs(arguments);
   if (arguments.output.empty())
   {
     throw UsageError("--output needs a folder");
@@ -325,22 +265,11 @@ void complete(Arguments& arguments)
   {
     throw UsageError("--iso or --label tells the solid of an image, not both");
   }
-  if (arguments.clean && imageKind(arguments.input) != ImageKind::None)
+  for (const std::string& input : arguments.inputs)
   {
-    throw UsageError("--clean is for points; " + arguments.input + " is an image");
+    checkImageOptions(arguments, input);
   }
-  const bool isForImages = arguments.iso || arguments.label || arguments.fillCavities ||
-    arguments.smallestPiece || arguments.largestPiece || arguments.gaussian;
-  const ImageKind kind = imageKind(arguments.input);
-  if (isForImages && kind == ImageKind::None)
-  {
-    throw UsageError("--iso, --label, --fill-cavities, --no-fill, --pieces and --gaussian are for "
-                     "images: .vti .mha .mhd .nrrd .nii .nii.gz .dcm, or a folder of DICOM files");
-  }
-  if (arguments.series > 0 && kind != ImageKind::Dicom)
-  {
-    throw UsageError("--series is for a folder of DICOM files");
-  }
+  checkMeasuring(arguments);
   checkSchedule(arguments.schedule);
 }
 }
@@ -348,8 +277,8 @@ void complete(Arguments& arguments)
 Arguments parseArguments(int argc, char* argv[])
 {
   Arguments arguments;
-  parse(argc, argv, "SimplifyShape", optionsOf(arguments),
-    [&](const std::string& word) { takeInput(arguments, word); });
+  parse(argc, argv, "SimplifyShape", noted(optionsOf(arguments), arguments.settings),
+    [&](const std::string& word) { arguments.inputs.push_back(word); });
   complete(arguments);
   return arguments;
 }
@@ -360,6 +289,7 @@ std::string usage()
   return R"(Simplifies the shape of a solid by pruning its medial axis.
 
   SimplifyShape INPUT [options]
+  SimplifyShape --cohort TABLE.csv INPUT... [options]
 
 INPUT is a .ply .stl .obj .vtp .vtu .off .xyz or .csv file. Polygons that bound a solid are sampled; of
 other files the points are taken as samples of the solid's closed boundary, and their normals tell
@@ -377,9 +307,13 @@ Results, all or none:
   axis.ma pruned.ma      with --ma: axis and pruned axis as medial meshes
   parts.csv history.csv  the parts; what each iteration removed
   report.json            counts, Betti numbers, verdict, warnings, volumes, times
+  morphometry.csv        with --morphometry
   samples axis parts pruned surface overview .png with --picture
 
+)" + quantityHelp() +
+    R"(
 Exit: 0 done, 1 wrong usage, 2 input or output can't be used, 3 see --strict,
+4 the table of a cohort is written, but some of its objects failed,
 130 ended by Ctrl-C, 143 by SIGTERM, 129 by SIGHUP.
 )";
 }

@@ -2,6 +2,7 @@
 #ifndef Arguments_h
 #define Arguments_h
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,8 +10,10 @@
 /// The values of the command line.
 struct Arguments
 {
-  std::string input;
+  std::string input;               ///< the only one, where there is no cohort
+  std::vector<std::string> inputs; ///< all
   std::string output = "out";
+  bool writesResults = false; ///< into that folder; always where there is no cohort
   std::string schedule = "noise";
   bool automatic = false; ///< choose the iterations from the data
   double trim = 0;        ///< rims of the axis, in spacings
@@ -32,9 +35,15 @@ struct Arguments
   std::optional<int> smallestPiece; ///< that is kept, in voxels
   bool largestPiece = false;        ///< keep that alone
   std::optional<double> gaussian;   ///< smooths the voxels, standard deviation in voxels
-  int threads = 0;                  ///< 0: as many as the machine has
-  bool medialMeshes = false;        ///< write .ma files
-  bool exportParts = false;         ///< write the mesh of each part
+  bool morphometry = false;
+  std::string unit;                            ///< of the coordinates; empty: not known
+  std::optional<std::array<double, 6>> bounds; ///< that morphometry measures in
+  double margin = 0;                           ///< inside them
+  std::string cohort;                          ///< the table of many objects
+  std::string settings;                        ///< the options that can change a row of it
+  int threads = 0;                             ///< 0: as many as the machine has
+  bool medialMeshes = false;                   ///< write .ma files
+  bool exportParts = false;                    ///< write the mesh of each part
   bool picture = false;
   bool strict = false;
   bool quiet = false;

@@ -43,7 +43,6 @@ std::size_t addressSpace()
 
 void apply(const Limits& limits)
 {
-  signals::beginChild();
   const double whole = std::floor(limits.seconds);
   itimerval timer = {};
   timer.it_value.tv_sec = static_cast<time_t>(whole);
@@ -53,9 +52,21 @@ void apply(const Limits& limits)
   {
     limit(RLIMIT_AS, addressSpace() + limits.bytes);
   }
+}
+
+void printNowhere()
+{
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
+}
+
+std::string deathOf(int status)
+{
+  return WIFSIGNALED(status)
+    ? std::string("was ended by the signal ") + strsignal(WTERMSIG(status)) +
+      (WTERMSIG(status) == SIGKILL ? ", often for lack of memory" : "")
+    : "had not enough memory";
 }
 
 void writeAll(int pipe, const std::string& text)
@@ -91,11 +102,16 @@ std::string readAll(int pipe)
 /// What the child does: the first byte tells how it ended. No destructor and no exit handler of the
 /// program runs here.
 [[noreturn]] void work(
-  const std::function<std::string()>& make, const Limits& limits, int pipe) noexcept
+  const std::function<std::string()>& make, const std::optional<Limits>& limits, int pipe) noexcept
 {
   try
   {
-    apply(limits);
+    signals::beginChild();
+    if (limits)
+    {
+      apply(*limits);
+    }
+    printNowhere();
     const std::string text = make();
     writeAll(pipe, "r");
     writeAll(pipe, text);
@@ -112,7 +128,8 @@ std::string readAll(int pipe)
 }
 }
 
-ChildResult inChildProcess(const std::function<std::string()>& make, const Limits& limits)
+ChildResult inChildProcess(
+  const std::function<std::string()>& make, const std::optional<Limits>& limits)
 {
   int ends[2];
   if (pipe(ends) != 0)
@@ -139,7 +156,7 @@ ChildResult inChildProcess(const std::function<std::string()>& make, const Limit
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || text.empty())
   {
-    return { Ending::Died, "" };
+    return { Ending::Died, deathOf(status) };
   }
   const Ending ending = text[0] == 'r' ? Ending::Returned : Ending::Threw;
   return { ending, text.erase(0, 1) };

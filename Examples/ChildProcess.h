@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 
 /// What a child process may use.
@@ -24,12 +25,15 @@ enum class Ending
 struct ChildResult
 {
   Ending ending;
-  std::string text; ///< what the function returned
+  std::string
+    text; ///< what the function returned; how it died, as "was ended by the signal Killed"
 };
 
 /// Calls a function in a process of its own, so that the program survives when it crashes, runs away or fills
 /// the memory. For code of others that is known to do so on damaged data. Nothing that it prints is seen.
+/// @param limits  none: those of the program
 /// @throw InputError  no process can be made
-ChildResult inChildProcess(const std::function<std::string()>& make, const Limits& limits);
+ChildResult inChildProcess(
+  const std::function<std::string()>& make, const std::optional<Limits>& limits = {});
 
 #endif

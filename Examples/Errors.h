@@ -10,7 +10,8 @@ enum ExitCode
   Done = 0,
   WrongUsage = 1,
   UnusableInput = 2, ///< the input can't be used, or the output can't be written
-  NotCertified = 3   ///< --strict: the axis does not have the topology of the power shape
+  NotCertified = 3,  ///< --strict: the axis does not have the topology of the power shape
+  SomeFailed = 4     ///< the table of a cohort is written, but some of its objects failed
 };
 
 /// The command line is wrong, or names something that does not exist.

@@ -3,6 +3,7 @@
 
 #include "Arguments.h"
 #include "Json.h"
+#include "Morphometry.h"
 #include "Progress.h"
 #include "ReadPoints.h"
 #include "Tables.h"
@@ -310,8 +311,8 @@ std::string warningLines(vtkSimplifyShape* simplify)
 }
 }
 
-std::string report(
-  vtkSimplifyShape* simplify, const Input& input, const Progress& progress, double total)
+std::string report(vtkSimplifyShape* simplify, const Input& input, vtkTable* morphometry,
+  const Progress& progress, double total)
 {
   vtkDataObject *samples = simplify->GetBalls(), *surface = simplify->GetPowerCrust()->GetOutput();
   vtkDataObject* axis = simplify->GetMedialAxis()->GetOutput();
@@ -350,6 +351,7 @@ std::string report(
             { "largest", number(fieldValue(surface, "MovedAtMost")) },
             { "spacing", number(fieldValue(surface, "SampleSpacing")) },
           }) },
+        { "morphometry", morphometryJson(morphometry) },
         { "seconds", times(simplify, progress, total) },
         { "peakMemoryMiB", number(peakMemoryMiB()) },
       },

@@ -4,10 +4,13 @@
 // The filter vtkSimplifyShape does the work; the program reads its input and writes its outputs.
 
 #include "Arguments.h"
+#include "Cohort.h"
 #include "DrawingProcess.h"
 #include "Errors.h"
 #include "ImageNames.h"
+#include "Lines.h"
 #include "Messages.h"
+#include "Morphometry.h"
 #include "OutputFolder.h"
 #include "Pictures.h"
 #include "Progress.h"
@@ -133,13 +136,11 @@ void checkPartsToRemove(vtkSimplifyShape* simplify, const Arguments& arguments)
   }
 }
 
-/// Runs all stages.
+/// Is to be called when the stages have run.
 /// @throw UsageError  a part to be removed does not exist
-/// @throw InputError  a stage can't use what it gets, or a file can't be written
-void run(vtkSimplifyShape* simplify, const Arguments& arguments, const Results& results)
+/// @throw InputError  a stage can't use what it gets
+void requireSuccess(vtkSimplifyShape* simplify, const Arguments& arguments)
 {
-  simplify->Update();
-  results.check();
   // If a part does not exist, pruning has failed. The message of this check says more.
   checkPartsToRemove(simplify, arguments);
   const std::string reason =
@@ -153,6 +154,24 @@ void run(vtkSimplifyShape* simplify, const Arguments& arguments, const Results& 
       (isUnclear ? " (--label N or --iso X)" : ""));
   }
   messages::clear();
+}
+
+/// Reads the input and sets the filter up for it.
+Input prepare(vtkSimplifyShape* simplify, const Arguments& arguments)
+{
+  if (arguments.threads > 0)
+  {
+    vtkSMPTools::Initialize(arguments.threads);
+  }
+  Input input = readInput(arguments.input, arguments.series, arguments.dropInvalid);
+  if (arguments.clean)
+  {
+    input.samples = cleaned(input.samples, arguments.input);
+  }
+  simplify->SetInputDataObject(
+    input.image ? static_cast<vtkDataObject*>(input.image) : input.samples);
+  setProperties(simplify, arguments);
+  return input;
 }
 
 Captions captionsOf(vtkSimplifyShape* simplify)
@@ -190,29 +209,26 @@ ExitCode simplify(const Arguments& arguments)
   {
     drawing.emplace("--picture", drawPictures);
   }
-  if (arguments.threads > 0)
-  {
-    vtkSMPTools::Initialize(arguments.threads);
-  }
-  Input input = readInput(arguments.input, arguments.series, arguments.dropInvalid);
-  if (arguments.clean)
-  {
-    input.samples = cleaned(input.samples, arguments.input);
-  }
-  OutputFolder folder(arguments.output, arguments.input);
   vtkNew<vtkSimplifyShape> filter;
-  filter->SetInputDataObject(
-    input.image ? static_cast<vtkDataObject*>(input.image) : input.samples);
-  setProperties(filter, arguments);
+  const Input input = prepare(filter, arguments);
+  OutputFolder folder(arguments.output, arguments.input);
   Progress progress(arguments.quiet);
   watchStages(filter, progress);
   Results results(filter, folder, arguments);
-  run(filter, arguments, results);
+  filter->Update();
+  results.check();
+  requireSuccess(filter, arguments);
   const double total =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() -
     results.seconds();
   results.writeRest();
-  folder.writeText(report(filter, input, progress, total), "report.json");
+  vtkSmartPointer<vtkTable> row;
+  if (arguments.morphometry)
+  {
+    row = morphometryOf(filter, arguments);
+    folder.writeText(csv(row), "morphometry.csv");
+  }
+  folder.writeText(report(filter, input, row, progress, total), "report.json");
   folder.publish(OutputFolder::Replaced);
   if (!arguments.quiet)
   {
@@ -229,6 +245,35 @@ ExitCode simplify(const Arguments& arguments)
     return NotCertified;
   }
   return Done;
+}
+
+void requireCertified(bool isCertified, const Arguments& arguments)
+{
+  if (arguments.strict && !isCertified)
+  {
+    throw InputError("the result is not certified");
+  }
+}
+
+/// The header and the row of one object of a cohort.
+/// @throw UsageError, InputError  see simplify()
+std::string measured(const Arguments& arguments)
+{
+  if (arguments.writesResults)
+  {
+    Arguments withRow = arguments;
+    withRow.morphometry = true;
+    requireCertified(simplify(withRow) == Done, arguments);
+    return contentOf(arguments.output + "/morphometry.csv");
+  }
+  vtkNew<vtkSimplifyShape> filter;
+  const Input input = prepare(filter, arguments);
+  filter->SetMakeUnpruned(!arguments.partsToRemove.empty());
+  filter->KeepAxisOff();
+  filter->Update();
+  requireSuccess(filter, arguments);
+  requireCertified(verdictOf(filter->GetOutput()).certified(), arguments);
+  return csv(morphometryOf(filter, arguments));
 }
 
 int fail(const std::exception& error, ExitCode code)
@@ -250,7 +295,7 @@ int main(int argc, char* argv[])
       return Done;
     }
     messages::capture(arguments.quiet);
-    return simplify(arguments);
+    return arguments.cohort.empty() ? simplify(arguments) : measureCohort(arguments, measured);
   }
   catch (const UsageError& error)
   {

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -38,13 +39,16 @@ void addHeader(std::string& text, vtkTable* table)
 
 void addNumber(std::string& text, double value)
 {
+  if (std::isnan(value))
+  {
+    return;
+  }
   std::array<char, 32> digits;
   const auto [end, error] = std::to_chars(digits.begin(), digits.end(), value,
     std::chars_format::general, std::numeric_limits<double>::max_digits10);
   text.append(digits.begin(), end);
 }
 
-/// Texts are words of schedules, without commas and quotes.
 void addRow(std::string& text, const std::vector<vtkAbstractArray*>& columns, vtkIdType row)
 {
   const char* separator = "";
@@ -61,7 +65,7 @@ void addRow(std::string& text, const std::vector<vtkAbstractArray*>& columns, vt
       }
       else
       {
-        text += column->GetVariantValue(row).ToString();
+        text += csvCell(column->GetVariantValue(row).ToString());
       }
     }
   }
@@ -83,6 +87,20 @@ std::string csv(vtkTable* table)
     addRow(text, columns, row);
   }
   return text;
+}
+
+std::string csvCell(const std::string& text)
+{
+  if (text.find_first_of(",\"\n\r") == std::string::npos)
+  {
+    return text;
+  }
+  std::string result = "\"";
+  for (const char c : text)
+  {
+    result += c == '"' ? "\"\"" : std::string{ c };
+  }
+  return result + '"';
 }
 
 double fieldValue(vtkDataObject* output, const char* array, int component)

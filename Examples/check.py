@@ -16,6 +16,7 @@ import struct
 import subprocess
 import unittest
 
+from check_cohort import Cohorts  # tables of many objects; run with the rest
 from check_dicom import Dicom  # the same of DICOM series; run with the rest
 from check_exports import Exports  # the files for other programs; run with the rest
 from check_images import Images  # the same of images; run with the rest
@@ -25,7 +26,7 @@ from check_outputs import Outputs  # whole results or none; run with the rest
 from input_files import xml
 from program_test import PROGRAM, ProgramTest, ellipsoid, torus
 
-__all__ = ["Exports", "Images", "Inputs", "Outputs", "SimplifyShape"]
+__all__ = ["Cohorts", "Exports", "Images", "Inputs", "Outputs", "SimplifyShape"]
 
 DATA = {"balls.vtu", "samples.vtp", "axis.vtp", "parts.vtp", "pruned.vtp", "surface.vtp", "surface.stl",
         "parts.csv", "history.csv", "report.json"}
@@ -73,9 +74,8 @@ class SimplifyShape(ProgramTest):
         """Each option of --help with an example of its value, or None if it takes none."""
         examples = {"DIR": self.path("none"), '"W W ..."': "t5", "WORD": "none", "ID,ID": "0,1",
                     "N": "1", "L": "0.1", "F": "0.2", "R": "1", "X": "0.5", "WHICH": "largest"}
-        text = self.run_program("--help").stdout
-        found = re.findall(r"^  (--[a-z-]+)(?: (\S.*?))?  ", text, re.M)
-        return {name: examples[placeholder] if placeholder else None
+        found = re.findall(r"^  (--[a-z-]+)(?: (\S.*?))?  ", self.run_program("--help").stdout, re.M)
+        return {name: examples.get(placeholder, "0,1,0,1,0,1") if placeholder else None
                 for name, placeholder in found}
 
     def test_help_lists_the_options(self):

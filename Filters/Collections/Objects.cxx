@@ -5,6 +5,8 @@
 #include "Conversion/ArrayNames.h"
 #include "Conversion/Arrays.h"
 #include "Conversion/Axis.h"
+#include "Conversion/Morphometry.h"
+#include "Conversion/Remedies.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -80,6 +82,14 @@ bool isSharedOut(vtkDataObject* data)
   return data && data->GetFieldData() && data->GetFieldData()->HasArray(names::ObjectId);
 }
 
+void requireBalls(vtkUnstructuredGrid* balls)
+{
+  if (!balls)
+  {
+    throw InvalidInput("a block of the balls is no unstructured grid: ", TakePolarBalls);
+  }
+}
+
 vtkPolyData* axisOf(vtkUnstructuredGrid* balls, vtkDataObject* axes)
 {
   auto* blocks = vtkCompositeDataSet::SafeDownCast(axes);
@@ -98,5 +108,25 @@ vtkPolyData* axisOf(vtkUnstructuredGrid* balls, vtkDataObject* axes)
   throw InvalidInput(
     "no block of the axis was made from these balls: take the blocks that vtkMedialAxis or "
     "vtkMedialPrune made from them");
+}
+
+vtkPolyData* surfaceOf(vtkUnstructuredGrid* balls, vtkDataObject* surfaces)
+{
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(surfaces);
+  if (!blocks)
+  {
+    return vtkPolyData::SafeDownCast(surfaces);
+  }
+  for (auto block = firstBlock(blocks); !block->IsDoneWithTraversal(); block->GoToNextItem())
+  {
+    auto* surface = vtkPolyData::SafeDownCast(block->GetCurrentDataObject());
+    if (surface && isSurfaceOf(balls, surface))
+    {
+      return surface;
+    }
+  }
+  throw InvalidInput(
+    "no block of the surface was made from these balls: take the blocks that vtkPowerCrust or "
+    "vtkSimplifyShape made from them");
 }
 }

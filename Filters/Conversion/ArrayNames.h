@@ -227,6 +227,12 @@ constexpr const char* RodVolume = "RodVolume";
 constexpr const char* PlatePlateJunctions = "PlatePlateJunctions";
 constexpr const char* PlateRodJunctions = "PlateRodJunctions";
 constexpr const char* RodRodJunctions = "RodRodJunctions";
+// vtkMorphometry: columns, beside one for each quantity, Quantity::name in Core/Measuring/Morphometry.h;
+// Betti, BettiSolid and Verdict too
+constexpr const char* Name = "Name";
+constexpr const char* Unit = "Unit";
+// ... field data, a text for each column
+constexpr const char* ColumnUnits = "ColumnUnits";
 }
 }
 

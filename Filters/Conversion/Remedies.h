@@ -13,6 +13,9 @@ constexpr const char* TakeMedialAxis =
   "take the output of vtkMedialAxis or a later filter as it is (files of an earlier version lack "
   "arrays: make them again)";
 
+constexpr const char* TakePowerCrust =
+  "take the output of vtkPowerCrust or vtkSimplifyShape as it is";
+
 constexpr const char* TakeParts = "take the output of vtkMedialPartDecomposition or vtkMedialPrune";
 
 constexpr const char* TakePowerCrust =

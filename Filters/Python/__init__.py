@@ -5,5 +5,6 @@ The classes are VTK filters; `simplify` runs all of them, from numpy to numpy if
 """
 
 from .vtkFiltersMedial import *
+from .measuring import morphometry
 from .simplification import (
     Doubt, MedialAxisWarning, Simplified, Stopped, Verdict, arrays, doubts_of, simplify, verdict_of)

@@ -10,6 +10,7 @@ from typing import Any, Callable, Iterable, NamedTuple, Sequence
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     vtkDataObject, vtkImageData, vtkPointSet, vtkPolyData, vtkTable)
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from .vtkFiltersMedial import vtkBackgroundUpdate, vtkCleanScan, vtkSimplifyShape
 
@@ -99,6 +100,24 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
     Raises ValueError where the points or the schedule can't be used; the message says why.
     Issues a MedialAxisWarning for each doubt, and where the surface is not certified.
     """
+    filter = updated_filter(points, schedule, progress, merge_tolerance, use_triangles, wrap, iso, label,
+                            spacing, origin, normals, clean, trim)
+    result = Simplified(*(filter.GetOutputDataObject(port) for port in range(4)))
+    for text in issues(result, result.surface):
+        warnings.warn(text, MedialAxisWarning, stacklevel=2)
+    return result
+
+
+def updated_filter(points: Any, schedule: str | Iterable[Sequence] | None = None,
+                   progress: Callable[[float], Any] | None = None,
+                   merge_tolerance: float | None = None,
+                   use_triangles: bool | None = None,
+                   wrap: bool | float = False,
+                   iso: float | None = None, label: float | None = None,
+                   spacing: Sequence[float] = (1, 1, 1),
+                   origin: Sequence[float] = (0, 0, 0),
+                   normals: Any = None, clean: bool = False, trim: float = 0) -> vtkSimplifyShape:
+    """The filter behind `simplify`, with the same arguments and errors, when it has run."""
     filter = vtkSimplifyShape()
     prune = filter.GetMedialPrune()
     quiet = prune.AddObserver("ErrorEvent", lambda *_: None)  # else VTK prints what is raised below
@@ -131,13 +150,10 @@ def simplify(points: Any, schedule: str | Iterable[Sequence] | None = None,
             filter.AddIterationByName(*iteration)
     prune.RemoveObserver(quiet)  # another thread must not call into Python
     if not filter.GetErrorMessage():
-        _update(filter, progress)
+        update(filter, progress)
     if filter.GetErrorMessage():
         raise ValueError(filter.GetErrorMessage())
-    result = Simplified(*(filter.GetOutputDataObject(port) for port in range(4)))
-    for text in _issues(result):
-        warnings.warn(text, MedialAxisWarning, stacklevel=2)
-    return result
+    return filter
 
 
 def doubts_of(output: vtkDataObject) -> list[Doubt]:
@@ -186,31 +202,33 @@ def arrays(data: vtkDataObject) -> dict[str, Any]:
     return result
 
 
-def _issues(result: Simplified) -> Iterable[str]:
-    for doubt in result.doubts:
+def issues(result: Simplified, last: vtkDataObject) -> Iterable[str]:
+    """The warnings in the last output, and that a surface is not certified."""
+    for doubt in doubts_of(last):
         yield doubt.text
     if not result.verdict.certified:
         yield "the surface is not certified: " + "; ".join(result.verdict.reasons)
 
 
-def _update(filter: vtkSimplifyShape, progress: Callable[[float], Any] | None) -> None:
-    update = vtkBackgroundUpdate()
-    update.Start(filter)
+def update(filter: vtkAlgorithm, progress: Callable[[float], Any] | None = None) -> None:
+    """Runs a filter on a thread of its own; other threads of Python go on, and Ctrl-C stops it."""
+    work = vtkBackgroundUpdate()
+    work.Start(filter)
     try:
         shown, pause = -1.0, 0.001
-        while update.IsRunning():
+        while work.IsRunning():
             time.sleep(pause)
             pause = min(2 * pause, 0.02)
-            done = update.GetProgress()
+            done = work.GetProgress()
             if progress and done > shown:
                 shown = done
                 if progress(done) is False:
                     raise Stopped("simplify was stopped at %.0f %%" % (100 * done))
-        if progress and shown < update.GetProgress():
-            progress(update.GetProgress())
+        if progress and shown < work.GetProgress():
+            progress(work.GetProgress())
     finally:
-        update.Stop()
-        while update.IsRunning():
+        work.Stop()
+        while work.IsRunning():
             time.sleep(0.001)
 
 

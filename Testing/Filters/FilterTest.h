@@ -8,6 +8,7 @@
 #include "vtkMedialAxis.h"
 #include "vtkMedialPartDecomposition.h"
 #include "vtkMedialPrune.h"
+#include "vtkMorphometry.h"
 #include "vtkPolarBalls.h"
 #include "vtkPowerCrust.h"
 
@@ -39,7 +40,7 @@ vtkSmartPointer<vtkPolyData> dataOf(const meshes::Mesh& mesh);
 /// A solid with sheets, seams, inner parts and corners, from few samples.
 const shapes::Shape& smallBox();
 
-/// The five filters, connected.
+/// The filters, connected.
 struct Pipeline
 {
   explicit Pipeline(vtkDataObject* samples);
@@ -49,6 +50,7 @@ struct Pipeline
   vtkNew<vtkMedialPartDecomposition> parts;
   vtkNew<vtkMedialPrune> prune;
   vtkNew<vtkPowerCrust> crust;
+  vtkNew<vtkMorphometry> morphometry;
 };
 
 /// The pipeline of the small box, updated, the same for all tests of a program.

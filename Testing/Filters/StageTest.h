@@ -35,6 +35,10 @@ inline const Stage stages[] = {
   { "MedialPrune", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.prune; }, 0 },
   { "PowerCrust", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.crust; }, 0 },
   { "PowerCrustOfAxis", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.crust; }, 1 },
+  { "Morphometry", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.morphometry; }, 0 },
+  { "MorphometryOfAxis", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.morphometry; }, 1 },
+  { "MorphometryOfSurface", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.morphometry; },
+    2 },
 };
 
 /// A filter as in the pipeline of the small box, with copies of its inputs in place of filters.

@@ -70,7 +70,7 @@ bool isNeeded(const Stage& stage, int attributes, const char* name)
   return isRefused;
 }
 
-/// The arrays that a stage needs, found by taking away one after another.
+/// The arrays of numbers that a stage needs, found by taking away one after another.
 std::vector<Needed> arraysNeeded(const Stage& stage)
 {
   std::vector<Needed> result;
@@ -80,7 +80,7 @@ std::vector<Needed> arraysNeeded(const Stage& stage)
     vtkFieldData* data = alone.input()->GetAttributesAsFieldData(attributes);
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
-      if (isNeeded(stage, attributes, data->GetArrayName(i)))
+      if (data->GetArray(i) && isNeeded(stage, attributes, data->GetArrayName(i)))
       {
         result.push_back({ attributes, data->GetArrayName(i), tooLargeFor(data->GetArray(i)) });
       }

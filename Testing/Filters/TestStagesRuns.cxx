@@ -108,7 +108,7 @@ TEST_P(Stages, StopInAllBlocksOfACollection)
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, alone.input());
   blocks->SetBlock(1, copied);
-  if (this->GetParam().port == 1)
+  if (this->GetParam().port > 0)
   {
     return; // of one object
   }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Morphometry_h
+#define Morphometry_h
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+struct Arguments;
+class vtkSimplifyShape;
+class vtkTable;
+
+/// The row of vtkMorphometry of what an updated filter has made: of the simplified solid.
+/// @throw InputError  it can't be measured
+vtkSmartPointer<vtkTable> morphometryOf(vtkSimplifyShape* simplify, const Arguments& arguments);
+
+/// The same for report.json: values and units by the names of the quantities.
+/// @param row  null: was not asked for
+std::string morphometryJson(vtkTable* row);
+
+/// The columns of such a row in a file.
+std::vector<std::string> morphometryColumns();
+
+/// What an object is called: the name of its file or folder without folders and endings.
+std::string objectName(const std::string& file);
+
+/// The lines of --help about the quantities.
+std::string quantityHelp();
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Measuring/Ingredients.h"
+
+#include "Base/Errors.h"
+#include "Base/Frame.h"
+#include "Base/SolidMeasures.h"
+#include "Measuring/Anisotropy.h"
+#include "Measuring/SampleWalls.h"
+#include "Measuring/VolumeThickness.h"
+
+#include <algorithm>
+
+namespace medial
+{
+namespace
+{
+using Box = Eigen::AlignedBox3d;
+
+/// Does the box hold all of the surface?
+bool holds(const Box& box, const std::vector<Point>& points)
+{
+  return std::all_of(
+    points.begin(), points.end(), [&box](const Point& point) { return box.contains(point); });
+}
+
+/// Fills what a surface tells that bounds a solid.
+void measureSolid(const MeasuredSolid& solid, const Box& box, MorphometryIngredients& result,
+  const Execution& execution)
+{
+  const SolidMeasures measures = solidMeasures(solid.points, solid.triangles, execution);
+  if (measures.closed)
+  {
+    result.solidVolume =
+      volumeWithin(box, solid.points, solid.triangles, execution.between(0.2, 0.4));
+  }
+  if (measures.manifold)
+  {
+    result.euler = measures.betti[0] - measures.betti[1] + measures.betti[2];
+    result.eulerWithin = result.isWhole
+      ? result.euler
+      : eulerWithin(box, solid.points, solid.triangles, execution.between(0.4, 0.5));
+  }
+}
+
+/// The means over the volume, at points spread evenly. Unknown where half the mean thickness, which is left out at a
+/// cut, leaves nothing of the volume of interest.
+VolumeThickness thicknessIn(
+  const PolarBalls& balls, const VolumeOfInterest& volume, const Execution& execution)
+{
+  const std::vector<double> distances =
+    wallDistances(balls, sampleWalls(balls, execution.between(0, 0.3)));
+  constexpr Index points = 10000;
+  try
+  {
+    return volumeThickness(balls, distances, volume, points, execution.between(0.3, 1));
+  }
+  catch (const InvalidInput&)
+  {
+    return {};
+  }
+}
+
+void measureThickness(const PolarBalls& balls, const std::optional<Box>& bounds, double margin,
+  MorphometryIngredients& result, const Execution& execution)
+{
+  VolumeOfInterest volume;
+  if (bounds || margin > 0)
+  {
+    volume.bounds = bounds ? *bounds : boundingBox(balls.samples);
+    volume.margin = margin > 0 ? margin : volume.margin;
+  }
+  const VolumeThickness measured = thicknessIn(balls, volume, execution);
+  result.thickness = measured.thickness.mean;
+  result.thicknessDeviation = measured.thickness.deviation;
+  result.thicknessLargest = measured.thickness.largest;
+  result.separation = measured.separation.mean;
+  result.separationDeviation = measured.separation.deviation;
+  result.separationLargest = measured.separation.largest;
+}
+}
+
+MorphometryIngredients ingredients(const MeasuredSolid& solid, const std::optional<Box>& bounds,
+  double margin, const Execution& execution)
+{
+  const Box volume = volumeOfInterest(solid.balls.samples, bounds, margin);
+  const bool takesAll = !bounds && margin == 0;
+  const Box box = takesAll ? volume.merged(boundingBox(solid.points)) : volume;
+  const Box axisBox = takesAll ? volume.merged(boundingBox(solid.axis.points)) : volume;
+  MorphometryIngredients result;
+  result.spacing = solid.balls.spacing;
+  result.totalVolume = volume.volume();
+  result.isWhole = holds(box, solid.points);
+  result.axisArea = areaOf(
+    areasWithin(axisBox, solid.axis.points, solid.axis.cells.triangles, execution.between(0, 0.2)));
+  measureSolid(solid, box, result, execution);
+  const std::vector<Point> areas =
+    areasWithin(box, solid.points, solid.triangles, execution.between(0.5, 0.6));
+  result.surfaceArea = areaOf(areas);
+  result.anisotropy = degreeOfAnisotropy(areas, execution.between(0.6, 0.7));
+  if (!solid.balls.balls.empty())
+  {
+    measureThickness(solid.balls, bounds, margin, result, execution.between(0.7, 1));
+  }
+  return result;
+}
+}
