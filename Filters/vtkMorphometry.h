@@ -40,7 +40,7 @@
  * An error (an array that is missing or does not fit, axis or surface of other balls, a volume of interest of
  * which nothing is left) leaves the output empty and sets the error code. Under MPI the piece 0 holds everything.
  *
- * Plates and rods are not known yet.
+ * Plates and rods are those of vtkPlatesAndRods with its default ratios. They count where their centroid is in the volume.
  *
  * @sa vtkLocalThickness vtkPowerCrust vtkMedialPrune vtkCollectParts
  */

@@ -14,12 +14,9 @@ constexpr const char* TakeMedialAxis =
   "arrays: make them again)";
 
 constexpr const char* TakePowerCrust =
-  "take the output of vtkPowerCrust or vtkSimplifyShape as it is";
+  "take the output of vtkPowerCrust or vtkSimplifyShape as it is, made with this axis";
 
 constexpr const char* TakeParts = "take the output of vtkMedialPartDecomposition or vtkMedialPrune";
-
-constexpr const char* TakePowerCrust =
-  "take the output of vtkPowerCrust that was made with this axis, or one that was pruned to it";
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "Base/Frame.h"
 #include "Base/SolidMeasures.h"
 #include "Measuring/Anisotropy.h"
+#include "Measuring/PlateAndRodMeans.h"
 #include "Measuring/SampleWalls.h"
 #include "Measuring/VolumeThickness.h"
 
@@ -44,15 +45,13 @@ void measureSolid(const MeasuredSolid& solid, const Box& box, MorphometryIngredi
 
 /// The means over the volume, at points spread evenly. Unknown where half the mean thickness, which is left out at a
 /// cut, leaves nothing of the volume of interest.
-VolumeThickness thicknessIn(
-  const PolarBalls& balls, const VolumeOfInterest& volume, const Execution& execution)
+VolumeThickness thicknessIn(const PolarBalls& balls, const std::vector<double>& distances,
+  const VolumeOfInterest& volume, const Execution& execution)
 {
-  const std::vector<double> distances =
-    wallDistances(balls, sampleWalls(balls, execution.between(0, 0.3)));
   constexpr Index points = 10000;
   try
   {
-    return volumeThickness(balls, distances, volume, points, execution.between(0.3, 1));
+    return volumeThickness(balls, distances, volume, points, execution);
   }
   catch (const InvalidInput&)
   {
@@ -60,8 +59,9 @@ VolumeThickness thicknessIn(
   }
 }
 
-void measureThickness(const PolarBalls& balls, const std::optional<Box>& bounds, double margin,
-  MorphometryIngredients& result, const Execution& execution)
+void measureThickness(const PolarBalls& balls, const std::vector<double>& distances,
+  const std::optional<Box>& bounds, double margin, MorphometryIngredients& result,
+  const Execution& execution)
 {
   VolumeOfInterest volume;
   if (bounds || margin > 0)
@@ -69,13 +69,26 @@ void measureThickness(const PolarBalls& balls, const std::optional<Box>& bounds,
     volume.bounds = bounds ? *bounds : boundingBox(balls.samples);
     volume.margin = margin > 0 ? margin : volume.margin;
   }
-  const VolumeThickness measured = thicknessIn(balls, volume, execution);
+  const VolumeThickness measured = thicknessIn(balls, distances, volume, execution);
   result.thickness = measured.thickness.mean;
   result.thicknessDeviation = measured.thickness.deviation;
   result.thicknessLargest = measured.thickness.largest;
   result.separation = measured.separation.mean;
   result.separationDeviation = measured.separation.deviation;
   result.separationLargest = measured.separation.largest;
+}
+
+void measureElements(const MedialAxis& axis, const std::vector<double>& distances, const Box& box,
+  MorphometryIngredients& result, const Execution& execution)
+{
+  const PlateAndRodMeans means = plateAndRodMeans(axis, distances, box, execution);
+  result.plateShare = means.plateShare;
+  result.rodShare = means.rodShare;
+  result.plates = means.plates;
+  result.rods = means.rods;
+  result.plateThickness = means.plateThickness;
+  result.rodThickness = means.rodThickness;
+  result.plateWidth = means.plateWidth;
 }
 }
 
@@ -99,7 +112,10 @@ MorphometryIngredients ingredients(const MeasuredSolid& solid, const std::option
   result.anisotropy = degreeOfAnisotropy(areas, execution.between(0.6, 0.7));
   if (!solid.balls.balls.empty())
   {
-    measureThickness(solid.balls, bounds, margin, result, execution.between(0.7, 1));
+    const std::vector<double> distances =
+      wallDistances(solid.balls, sampleWalls(solid.balls, execution.between(0.7, 0.75)));
+    measureThickness(solid.balls, distances, bounds, margin, result, execution.between(0.75, 0.9));
+    measureElements(solid.axis, distances, axisBox, result, execution.between(0.9, 1));
   }
   return result;
 }

@@ -2,7 +2,7 @@
 #ifndef medial_Ingredients_h
 #define medial_Ingredients_h
 
-#include "Axis/AxisComplex.h"
+#include "Axis/MedialAxis.h"
 #include "Balls/PolarBalls.h"
 #include "Base/Execution.h"
 #include "Measuring/Morphometry.h"
@@ -17,7 +17,7 @@ namespace medial
 struct MeasuredSolid
 {
   const PolarBalls& balls; ///< with the samples; thickness is unknown where there are no balls
-  const AxisComplex& axis;
+  const MedialAxis& axis;
   const std::vector<Point>& points; ///< of the surface
   const std::vector<Triangle>& triangles;
 };

@@ -39,7 +39,7 @@ struct Plate
 {
   meshes::Mesh mesh = meshes::triangulated(meshes::drilledPlate(0.5));
   std::vector<medial::Triangle> triangles = meshes::triangles(this->mesh);
-  medial::AxisComplex axis;
+  medial::MedialAxis axis;
 
   Plate()
   {

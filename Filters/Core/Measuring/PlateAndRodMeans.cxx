@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Measuring/PlateAndRodMeans.h"
+
+#include "Base/BallTree.h"
+#include "Measuring/PlatesAndRods.h"
+#include "Measuring/PointVolumes.h"
+
+namespace medial
+{
+namespace
+{
+/// A mean of values with weights.
+class WeightedMean
+{
+public:
+  void add(double value, double weight)
+  {
+    this->sum += value * weight;
+    this->weights += weight;
+  }
+  double weight() const { return this->weights; }
+  double value() const
+  {
+    return this->weights > 0 ? this->sum / this->weights : std::numeric_limits<double>::quiet_NaN();
+  }
+
+private:
+  double sum = 0, weights = 0;
+};
+
+MedialAxis withRadii(MedialAxis axis, const std::vector<double>& distances)
+{
+  for (std::size_t i = 0; i < axis.radii.size(); ++i)
+  {
+    const Index ball = axis.ballOfPoint[i];
+    axis.radii[i] = ball == None ? axis.radii[i] : distances[ball];
+  }
+  return axis;
+}
+
+/// The diagonal of the box around the balls of the axis: nothing is wider.
+double diagonal(const MedialAxis& axis)
+{
+  std::vector<Ball> balls;
+  for (std::size_t i = 0; i < axis.points.size(); ++i)
+  {
+    balls.push_back({ axis.points[i], axis.radii[i] });
+  }
+  return boundingDiagonal(balls);
+}
+}
+
+PlateAndRodMeans plateAndRodMeans(const MedialAxis& made, const std::vector<double>& distances,
+  const Eigen::AlignedBox3d& box, const Execution& execution)
+{
+  const MedialAxis axis = withRadii(made, distances);
+  const PlatesAndRods found = platesAndRods(axis, {}, execution);
+  const std::vector<double> volumes = pointVolumes(axis);
+  const double widest = diagonal(axis);
+  PlateAndRodMeans result;
+  WeightedMean thickness[2], width; // of rods, of plates
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+  {
+    const Index element = found.elementOfPoint[i];
+    if (element == None || !box.contains(axis.points[i]))
+    {
+      continue;
+    }
+    const bool isPlate = found.elements[element].isPlate;
+    thickness[isPlate].add(2 * axis.radii[i], volumes[i]);
+    if (isPlate && found.widths.width[i] <= widest)
+    {
+      width.add(found.widths.width[i], volumes[i]);
+    }
+  }
+  for (const Element& element : found.elements)
+  {
+    (element.isPlate ? result.plates : result.rods) += box.contains(element.centroid) ? 1 : 0;
+  }
+  const double all = thickness[0].weight() + thickness[1].weight();
+  if (all > 0)
+  {
+    result.rodShare = thickness[0].weight() / all;
+    result.plateShare = thickness[1].weight() / all;
+  }
+  result.rodThickness = thickness[0].value();
+  result.plateThickness = thickness[1].value();
+  result.plateWidth = width.value();
+  return result;
+}
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_PlateAndRodMeans_h
+#define medial_PlateAndRodMeans_h
+
+#include "Axis/MedialAxis.h"
+#include "Base/Execution.h"
+#include "Base/Types.h"
+
+#include <Eigen/Geometry>
+
+#include <limits>
+#include <vector>
+
+namespace medial
+{
+/// Plates and rods of a solid in a box, all of them together. Lengths are in the unit of the samples. Means are weighted by
+/// volume; not a number where there is nothing to weigh.
+struct PlateAndRodMeans
+{
+  double plateShare = std::numeric_limits<double>::quiet_NaN(); ///< of the volume in the box
+  double rodShare = plateShare;
+  Index plates = 0; ///< whose centroid is in the box
+  Index rods = 0;
+  double plateThickness = plateShare;
+  double rodThickness = plateShare;
+  double plateWidth = plateShare; ///< without closed sheets, which have none
+};
+
+/// @param distances  wallDistances() of the balls that the axis was made from: they stand for the radii, so that bulges
+///                   between samples don't count
+/// @throw Aborted
+PlateAndRodMeans plateAndRodMeans(const MedialAxis& axis, const std::vector<double>& distances,
+  const Eigen::AlignedBox3d& box, const Execution& execution = {});
+}
+
+#endif
