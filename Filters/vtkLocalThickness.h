@@ -42,7 +42,7 @@
  *  - `AxisPoint` (vtkIdType): the point of input 2.
  *  - `PartId` (vtkIdType): its part, where input 2 has parts.
  *
- * An error leaves the outputs empty and sets the error code. Under MPI the piece 0 holds everything.
+ * Output 0 has the field data of all inputs. An error leaves the outputs empty and sets the error code. Under MPI the piece 0 holds everything.
  *
  * See T. Hildebrand, P. Rueegsegger, "A new method for the model-independent assessment of thickness in
  * three-dimensional images", J. Microscopy 185, 1997.

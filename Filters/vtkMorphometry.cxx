@@ -90,7 +90,6 @@ int vtkMorphometry::RequestData(
   vtkTable* output = vtkTable::GetData(outputVector);
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
-      medial::requireBalls(input);
       vtkPolyData* axisData = medial::axisOf(input, axes);
       vtkPolyData* surfaceData = medial::surfaceOf(input, surfaces);
       const medial::PolarBalls balls = medial::readPolarBalls(input);

@@ -6,7 +6,6 @@
 #include "Conversion/Arrays.h"
 #include "Conversion/Axis.h"
 #include "Conversion/Morphometry.h"
-#include "Conversion/Remedies.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -80,14 +79,6 @@ void shareOut(vtkCompositeDataSet* input, int rank, int rankCount, vtkCompositeD
 bool isSharedOut(vtkDataObject* data)
 {
   return data && data->GetFieldData() && data->GetFieldData()->HasArray(names::ObjectId);
-}
-
-void requireBalls(vtkUnstructuredGrid* balls)
-{
-  if (!balls)
-  {
-    throw InvalidInput("a block of the balls is no unstructured grid: ", TakePolarBalls);
-  }
 }
 
 vtkPolyData* axisOf(vtkUnstructuredGrid* balls, vtkDataObject* axes)

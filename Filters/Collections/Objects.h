@@ -24,10 +24,6 @@ void shareOut(vtkCompositeDataSet* input, int rank, int rankCount, vtkCompositeD
 /// Is it a whole object that shareOut has given to this rank?
 bool isSharedOut(vtkDataObject* data);
 
-/// A collection may have a block of another kind of data.
-/// @throw InvalidInput  `balls` is nullptr
-void requireBalls(vtkUnstructuredGrid* balls);
-
 /// The axis made from these balls: `axes` itself, unchecked, or the block that was made from them.
 /// @return  nullptr where `axes` is
 /// @throw InvalidInput  it has no such block

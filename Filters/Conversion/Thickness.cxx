@@ -140,6 +140,14 @@ void write(const ThicknessReport& report, const PolarBalls& made, vtkUnstructure
   if (places)
   {
     measured->ShallowCopy(places);
+    vtkNew<vtkFieldData> field; // of all inputs; that of the places comes first
+    passFieldData(balls, field);
+    if (axis)
+    {
+      field->PassData(axis->GetFieldData());
+    }
+    field->PassData(places->GetFieldData());
+    measured->SetFieldData(field);
   }
   else
   {

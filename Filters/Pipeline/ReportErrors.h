@@ -16,6 +16,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationIntegerVectorKey.h"
 #include "vtkInformationStringKey.h"
+#include "vtkInformationStringVectorKey.h"
 #include "vtkInformationVector.h"
 #include "vtkSMPTools.h"
 #include "vtkSetGet.h"
@@ -193,6 +194,34 @@ inline void setErrorMessage(vtkAlgorithm* filter, const std::string& message)
   filter->GetInformation()->Set(errorMessageKey(), message);
 }
 
+/// VTK compares the type of an input with what the filter takes, but not that of the blocks of a collection, which come one
+/// after another.
+/// @throw InvalidInput  an input is of no type that the filter takes
+inline void requireInputTypes(vtkAlgorithm* filter, vtkInformationVector** inputs)
+{
+  vtkInformationStringVectorKey* const types = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    vtkInformation* taken = filter->GetInputPortInformation(port);
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkDataObject* input = vtkDataObject::GetData(inputs[port], i);
+      bool isTaken = !input;
+      std::string names;
+      for (int k = 0; k < taken->Length(types) && !isTaken; ++k)
+      {
+        isTaken = input->IsA(types->Get(taken, k));
+        names += (k > 0 ? " or " : "") + std::string(types->Get(taken, k));
+      }
+      if (!isTaken)
+      {
+        throw InvalidInput("input ", port, ", or a block of it, is a ", input->GetClassName(),
+          ", but has to be a ", names, ": take the output of the filter before this one");
+      }
+    }
+  }
+}
+
 /// Runs body(execution) on every rank and turns what it throws into a VTK error and empty outputs; the
 /// value is that of RequestData. Work that was stopped, or whose input was, has empty outputs too, but is
 /// no error.
@@ -234,6 +263,7 @@ int reportErrors(vtkAlgorithm* filter, vtkInformation* request, vtkInformationVe
       isFirstPiece(request, outputs) || isSharedOut(vtkDataObject::GetData(inputs[0]));
     if (isMine)
     {
+      requireInputTypes(filter, inputs);
       body(execution);
     }
   });

@@ -201,12 +201,18 @@ Pipeline::Pipeline(vtkDataObject* samples)
   this->morphometry->SetInputConnection(this->balls->GetOutputPort());
   this->morphometry->SetAxisConnection(this->prune->GetOutputPort());
   this->morphometry->SetSurfaceConnection(this->crust->GetOutputPort());
+  this->thickness->SetInputConnection(this->balls->GetOutputPort());
+  this->thickness->SetPlacesConnection(this->crust->GetOutputPort());
+  this->thickness->SetAxisConnection(this->parts->GetOutputPort());
+  this->elements->SetInputConnection(this->prune->GetOutputPort());
 }
 
 Pipeline& boxPipeline()
 {
   static Pipeline pipeline(cloud(smallBox().samples));
   pipeline.morphometry->Update();
+  pipeline.thickness->Update();
+  pipeline.elements->Update();
   return pipeline;
 }
 

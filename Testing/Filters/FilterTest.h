@@ -5,10 +5,12 @@
 #include "Meshes.h"
 #include "Shapes.h"
 
+#include "vtkLocalThickness.h"
 #include "vtkMedialAxis.h"
 #include "vtkMedialPartDecomposition.h"
 #include "vtkMedialPrune.h"
 #include "vtkMorphometry.h"
+#include "vtkPlatesAndRods.h"
 #include "vtkPolarBalls.h"
 #include "vtkPowerCrust.h"
 
@@ -51,6 +53,8 @@ struct Pipeline
   vtkNew<vtkMedialPrune> prune;
   vtkNew<vtkPowerCrust> crust;
   vtkNew<vtkMorphometry> morphometry;
+  vtkNew<vtkLocalThickness> thickness;
+  vtkNew<vtkPlatesAndRods> elements;
 };
 
 /// The pipeline of the small box, updated, the same for all tests of a program.

@@ -39,6 +39,9 @@ inline const Stage stages[] = {
   { "MorphometryOfAxis", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.morphometry; }, 1 },
   { "MorphometryOfSurface", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.morphometry; },
     2 },
+  { "LocalThickness", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.thickness; }, 0 },
+  { "LocalThicknessOfAxis", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.thickness; }, 2 },
+  { "PlatesAndRods", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.elements; }, 0 },
 };
 
 /// A filter as in the pipeline of the small box, with copies of its inputs in place of filters.

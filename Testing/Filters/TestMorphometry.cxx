@@ -193,15 +193,6 @@ TEST(Morphometry, RefusesWhatWasMadeFromOtherBalls)
   EXPECT_NE(onlyError(second).find("surface was not made from these balls"), std::string::npos);
 }
 
-TEST(Morphometry, RefusesABlockThatIsNoBalls)
-{
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, boxPipeline().crust->GetOutput());
-  const auto filter = boxMorphometry();
-  filter->SetInputData(blocks);
-  EXPECT_NE(onlyError(filter).find("unstructured grid"), std::string::npos);
-}
-
 TEST(Morphometry, MeasuresTheSameFromFiles)
 {
   const auto filter = boxMorphometry(), fromFiles = boxMorphometry();

@@ -5,6 +5,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPassThrough.h>
+#include <vtkTable.h>
 
 #include <algorithm>
 #include <sstream>
@@ -125,6 +126,20 @@ TEST_P(Stages, StopInAllBlocksOfACollection)
   vtkAlgorithm* model = this->GetParam().of(boxPipeline());
   EXPECT_TRUE(same(output->GetBlock(0), model->GetOutputDataObject(0)));
   EXPECT_TRUE(same(output->GetBlock(1), model->GetOutputDataObject(0)));
+}
+
+TEST_P(Stages, RefuseABlockOfAnotherType)
+{
+  Alone alone(this->GetParam());
+  vtkNew<vtkTable> table;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, table);
+  if (this->GetParam().port > 0)
+  {
+    return; // of one object
+  }
+  alone.filter()->SetInputDataObject(0, blocks);
+  EXPECT_NE(filterTest::onlyError(alone.filter()).find("vtkTable"), std::string::npos);
 }
 
 TEST_P(Stages, GiveEverythingInTheFirstPiece)
