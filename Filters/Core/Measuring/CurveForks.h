@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef medial_CurveForks_h
+#define medial_CurveForks_h
+
+#include "Axis/MedialAxis.h"
+#include "Measuring/Centreline.h"
+
+#include <vector>
+
+namespace medial
+{
+/// Lets curves that end at the same node end at the same point.
+///
+/// In a fork the axis is wider than the rods, and a curve may leave the middle. So a curve that comes from
+/// farther away counts from 1.5 radii before the fork only: the fork is put where the straight
+/// continuations of its curves come nearest to each other, and they run there straight. Short curves are
+/// shifted with it.
+/// @param curves  smoothed() ones; their nodes are points of the axis
+void joinAtForks(const MedialAxis& axis, std::vector<Centreline>& curves);
+}
+
+#endif
