@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <optional>
 
 namespace medial
 {
@@ -24,27 +25,44 @@ struct Ray
   End end;
   Index points;    ///< so many of the curve's are replaced by it
   Point from;      ///< the next point of the curve
-  Point direction; ///< of length 1
+  Point direction; ///< away from the fork, of length 1
+  double radius;   ///< of the curve there
+  double slope;    ///< by which it grows along the direction
 };
 
-/// The place of a curve's point, counted from an end.
-Index placeFrom(const End& end, const Centreline& curve, Index i)
+/// A curve as seen from one of its ends.
+class FromEnd
 {
-  return end.isLast ? count(curve.points) - 1 - i : i;
-}
-
-/// The first point, counted on from `first`, that is farther from a place; as many as there are if none is.
-Index firstFarther(
-  const End& end, const Centreline& curve, Index first, const Point& place, double distance)
-{
-  const Index size = count(curve.points);
-  Index i = first;
-  while (i < size && (curve.points[placeFrom(end, curve, i)] - place).norm() <= distance)
+public:
+  FromEnd(std::vector<Centreline>& curves, const End& end)
+    : curve(curves[end.curve])
+    , isLast(end.isLast)
   {
-    ++i;
   }
-  return i;
-}
+
+  Index size() const { return count(this->curve.points); }
+  Point& point(Index i) { return this->curve.points[this->place(i)]; }
+  double& radius(Index i) { return this->curve.radii[this->place(i)]; }
+
+  /// The length up to each point.
+  std::vector<double> lengths() const
+  {
+    std::vector<double> result = medial::lengths(this->curve.points);
+    if (this->isLast)
+    {
+      const double whole = result.back();
+      std::reverse(result.begin(), result.end());
+      std::for_each(result.begin(), result.end(), [whole](double& at) { at = whole - at; });
+    }
+    return result;
+  }
+
+private:
+  Index place(Index i) const { return this->isLast ? this->size() - 1 - i : i; }
+
+  Centreline& curve;
+  bool isLast;
+};
 
 /// Puts one fork and the curves at it in place.
 class Fork
@@ -62,66 +80,98 @@ public:
     Point middle = Point::Zero();
     for (const End& end : this->ends)
     {
-      middle += this->curvePoint(end, 0) / this->ends.size();
+      middle += FromEnd(this->curves, end).point(0) / this->ends.size();
     }
-    std::vector<End> others;
+    this->enlarge(middle);
+    std::vector<Ray> rays;
+    for (int round = 0; round < 2; ++round) // the second one knows better how far the fork reaches
+    {
+      rays = this->raysFrom(middle);
+      middle = this->meeting(rays, middle);
+    }
     for (const End& end : this->ends)
     {
-      if (!this->addRay(end, middle))
+      const bool hasRay = std::any_of(rays.begin(), rays.end(), [&end](const Ray& ray) {
+        return ray.end.curve == end.curve && ray.end.isLast == end.isLast;
+      });
+      if (!hasRay)
       {
-        others.push_back(end);
+        this->shift(end, middle);
       }
     }
-    const Point meeting = this->meeting(middle);
-    for (const End& end : others)
+    for (const Ray& ray : rays)
     {
-      this->shift(end, meeting);
-    }
-    for (const Ray& ray : this->rays)
-    {
-      this->straighten(ray, meeting);
+      this->straighten(ray, middle);
     }
   }
 
 private:
-  Point& curvePoint(const End& end, Index i)
+  /// A fork is as large as the rods that leave it.
+  void enlarge(const Point& middle)
   {
-    Centreline& curve = this->curves[end.curve];
-    return curve.points[placeFrom(end, curve, i)];
+    const double reach = 2 * this->radius;
+    for (const End& end : this->ends)
+    {
+      FromEnd curve(this->curves, end);
+      for (Index i = 0; i < curve.size() && (curve.point(i) - middle).norm() <= reach; ++i)
+      {
+        this->radius = std::max(this->radius, curve.radius(i));
+      }
+    }
   }
 
-  /// Only where it leaves half of the curve to the other end.
-  /// @return  is there one?
-  bool addRay(const End& end, const Point& middle)
+  std::vector<Ray> raysFrom(const Point& middle)
   {
-    const Centreline& curve = this->curves[end.curve];
-    const Index size = count(curve.points);
-    const Index from = firstFarther(end, curve, 0, middle, 1.5 * this->radius);
-    if (from >= size - 1)
+    std::vector<Ray> result;
+    for (const End& end : this->ends)
     {
-      return false;
+      const std::optional<Ray> ray = this->ray(end, middle);
+      if (ray)
+      {
+        result.push_back(*ray);
+      }
     }
-    const std::vector<double> at = lengths(curve.points);
-    const double place = at[placeFrom(end, curve, from)];
-    if ((end.isLast ? at.back() - place : place) > at.back() / 2)
-    {
-      return false;
-    }
-    const Point start = this->curvePoint(end, from);
-    const Index to = std::min(size - 1, firstFarther(end, curve, from + 1, start, this->radius));
-    const Point chord = this->curvePoint(end, to) - start;
-    this->rays.push_back({ end, from, start, chord.stableNormalized() });
-    return true;
+    return result;
   }
 
-  /// Where the rays come nearest to each other, by least squares, within a radius of the middle. It counts a little
-  /// itself, in case they are parallel.
-  Point meeting(const Point& middle) const
+  /// From where the ball about a point of a curve leaves the fork's, but in the first two fifths of the curve.
+  std::optional<Ray> ray(const End& end, const Point& middle)
+  {
+    FromEnd curve(this->curves, end);
+    const std::vector<double> at = curve.lengths();
+    const auto distance = [&](Index i) { return (curve.point(i) - middle).norm(); };
+    Index from = 0;
+    while (from < curve.size() && at[from] < 0.4 * at.back() &&
+      distance(from) <= this->radius + curve.radius(from))
+    {
+      ++from;
+    }
+    if (from == 0 || from == curve.size() || distance(from) <= this->radius)
+    {
+      return {};
+    }
+    Index to = from + 1;
+    while (to < curve.size() && at[to] < 0.6 * at.back() && at[to] - at[from] < curve.radius(from))
+    {
+      ++to;
+    }
+    if (to >= curve.size() || at[to] <= at[from])
+    {
+      return {};
+    }
+    const Point chord = curve.point(to) - curve.point(from);
+    const double slope = (curve.radius(to) - curve.radius(from)) / (at[to] - at[from]);
+    return Ray{ end, from, curve.point(from), chord.stableNormalized(), curve.radius(from), slope };
+  }
+
+  /// Where the rays come nearest to each other, by least squares, within a radius of the middle. It counts a
+  /// little itself, in case they are parallel.
+  Point meeting(const std::vector<Ray>& rays, const Point& middle) const
   {
     constexpr double little = 0.05;
     Eigen::Matrix3d left = little * Eigen::Matrix3d::Identity();
     Point right = Point::Zero();
-    for (const Ray& ray : this->rays)
+    for (const Ray& ray : rays)
     {
       const Eigen::Matrix3d across =
         Eigen::Matrix3d::Identity() - ray.direction * ray.direction.transpose();
@@ -129,36 +179,39 @@ private:
       right += across * (ray.from - middle);
     }
     const Point step = left.ldlt().solve(right);
-    return middle + step * std::min(1.0, this->radius / std::max(step.norm(), this->radius));
+    const double length = step.norm();
+    return length > this->radius ? Point(middle + this->radius / length * step)
+                                 : Point(middle + step);
   }
 
   /// Moves an end there, and the rest the less the farther it is.
   void shift(const End& end, const Point& to)
   {
-    Centreline& curve = this->curves[end.curve];
-    const std::vector<double> at = lengths(curve.points);
-    const Point step = to - this->curvePoint(end, 0);
-    for (std::size_t i = 0; i < at.size() && at.back() > 0; ++i)
+    FromEnd curve(this->curves, end);
+    const std::vector<double> at = curve.lengths();
+    const Point step = to - curve.point(0);
+    for (Index i = 1; i < curve.size(); ++i)
     {
-      const double share = at[i] / at.back();
-      curve.points[i] += step * (end.isLast ? share : 1 - share);
+      curve.point(i) += at[i] < at.back() ? Point(step * (1 - at[i] / at.back())) : Point::Zero();
     }
-    this->curvePoint(end, 0) = to;
+    curve.point(0) = to;
   }
 
   void straighten(const Ray& ray, const Point& to)
   {
+    FromEnd curve(this->curves, ray.end);
+    const double length = (ray.from - to).norm();
     for (Index i = 0; i < ray.points; ++i)
     {
       const double share = static_cast<double>(i) / ray.points;
-      this->curvePoint(ray.end, i) = (1 - share) * to + share * ray.from;
+      curve.point(i) = (1 - share) * to + share * ray.from;
+      curve.radius(i) = std::max(0.0, ray.radius - ray.slope * (1 - share) * length);
     }
   }
 
   std::vector<Centreline>& curves;
   const Lists<End>::View ends;
   double radius;
-  std::vector<Ray> rays;
 };
 }
 

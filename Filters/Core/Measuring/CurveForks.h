@@ -11,10 +11,10 @@ namespace medial
 {
 /// Lets curves that end at the same node end at the same point.
 ///
-/// In a fork the axis is wider than the rods, and a curve may leave the middle. So a curve that comes from
-/// farther away counts from 1.5 radii before the fork only: the fork is put where the straight
-/// continuations of its curves come nearest to each other, and they run there straight. Short curves are
-/// shifted with it.
+/// In a fork the axis is wider than the rods, and a curve may leave the middle. So a curve counts only from
+/// where its ball leaves the fork's: the fork is put where the straight continuations of its
+/// curves come nearest to each other, and they run there straight, their radii growing or shrinking as before.
+/// Curves too short for that are shifted with it.
 /// @param curves  smoothed() ones; their nodes are points of the axis
 void joinAtForks(const MedialAxis& axis, std::vector<Centreline>& curves);
 }
