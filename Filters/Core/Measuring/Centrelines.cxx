@@ -37,7 +37,7 @@ void check(const MedialAxis& axis, const CentrelineOptions& options)
 std::vector<Centreline> wholeCurves(const MedialAxis& axis, const std::vector<double>& times,
   const std::vector<Edge>& edges, const Execution& execution)
 {
-  const std::vector<CurveBranch> branches = curveBranches(axis, edges);
+  const std::vector<CurveBranch> branches = curveBranches(axis, times, edges);
   std::vector<Centreline> result(branches.size());
   execution.forEach(
     count(branches), [&](Index i) { result[i] = smoothed(axis, times, branches[i]); });

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Measuring/CurveBranches.h"
 
+#include "Base/EdgeTable.h"
 #include "Base/Lists.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace medial
@@ -120,21 +122,80 @@ IndexLists branchesAtForks(Index pointCount, const std::vector<CurveBranch>& bra
   });
 }
 
-bool isWithinBall(const MedialAxis& axis, Index node, const CurveBranch& branch)
+/// How far a branch and its balls go from a fork at most.
+struct Extent
 {
-  return std::all_of(branch.points.begin(), branch.points.end(), [&](Index point) {
-    return (axis.points[point] - axis.points[node]).norm() <= axis.radii[node];
-  });
+  double ofPoints, ofBalls;
+};
+
+Extent extentFrom(const MedialAxis& axis, Index fork, const CurveBranch& branch)
+{
+  Extent result{ 0, 0 };
+  for (const Index point : branch.points)
+  {
+    const double distance = (axis.points[point] - axis.points[fork]).norm();
+    result.ofPoints = std::max(result.ofPoints, distance);
+    result.ofBalls = std::max(result.ofBalls, distance + axis.radii[point]);
+  }
+  return result;
+}
+
+/// The radius of the largest ball of a fork. The fork itself may be in a web between rods, where balls are
+/// small and become larger towards the rods; a few rounds come there.
+double radiusOf(const MedialAxis& axis, Index fork, const IndexLists::View& at,
+  const std::vector<CurveBranch>& branches)
+{
+  double result = axis.radii[fork];
+  for (int round = 0; round < 3; ++round)
+  {
+    const double reach = 2 * result;
+    for (const Index branch : at)
+    {
+      std::vector<Index> points = branches[branch].points;
+      if (branches[branch].nodes[0] != fork)
+      {
+        std::reverse(points.begin(), points.end());
+      }
+      for (const Index point : points)
+      {
+        if ((axis.points[point] - axis.points[fork]).norm() > reach)
+        {
+          break;
+        }
+        result = std::max(result, axis.radii[point]);
+      }
+    }
+  }
+  return result;
+}
+
+/// For each point that is a fork how far what is no rod of its own reaches at most: half the width of the
+/// sheet and a radius.
+std::vector<double> reaches(const MedialAxis& axis, const std::vector<double>& times,
+  const IndexLists& forks, const std::vector<CurveBranch>& branches)
+{
+  std::vector<double> result(axis.points.size(), 0);
+  for (Index fork = 0; fork < forks.size(); ++fork)
+  {
+    if (forks[fork].size() > 0)
+    {
+      const double radius = radiusOf(axis, fork, forks[fork], branches);
+      result[fork] = std::max(times[fork], radius) + radius;
+    }
+  }
+  return result;
 }
 
 /// Makes near forks one, see curveBranches().
 class ForkMerging
 {
 public:
-  ForkMerging(const MedialAxis& axis, std::vector<CurveBranch>& branches)
+  ForkMerging(
+    const MedialAxis& axis, const std::vector<double>& times, std::vector<CurveBranch>& branches)
     : axis(axis)
     , branches(branches)
     , forks(branchesAtForks(count(axis.points), branches))
+    , reach(reaches(axis, times, forks, branches))
     , standsFor(axis.points.size(), None)
     , isGone(branches.size(), 0)
   {
@@ -176,7 +237,7 @@ private:
       }
     }
     std::stable_sort(order.begin(), order.end(),
-      [&](Index a, Index b) { return this->axis.radii[a] > this->axis.radii[b]; });
+      [&](Index a, Index b) { return this->reach[a] > this->reach[b]; });
     return order;
   }
 
@@ -188,7 +249,7 @@ private:
       const auto [first, last] = this->branches[branch].nodes;
       const Index other = first == fork ? last : first;
       if (this->forks[other].size() > 0 && this->standsFor[other] == None &&
-        isWithinBall(this->axis, fork, this->branches[branch]))
+        extentFrom(this->axis, fork, this->branches[branch]).ofPoints <= this->reach[fork])
       {
         this->standsFor[other] = fork;
         this->isGone[branch] = 1;
@@ -199,15 +260,76 @@ private:
   const MedialAxis& axis;
   std::vector<CurveBranch>& branches;
   IndexLists forks;             ///< for each point that is one its branches
+  std::vector<double> reach;    ///< for each fork
   std::vector<Index> standsFor; ///< for each fork that is done the one it is now
   std::vector<char> isGone;     ///< for each branch
 };
+
+/// The branches between a fork and a free end that the fork reaches to the end. Where it has no others, the two longest
+/// are none of them.
+std::vector<Index> stubs(const MedialAxis& axis, const std::vector<double>& times,
+  const std::vector<CurveBranch>& branches)
+{
+  std::vector<Index> result;
+  const IndexLists forks = branchesAtForks(count(axis.points), branches);
+  const std::vector<double> reachOf = reaches(axis, times, forks, branches);
+  for (Index fork = 0; fork < forks.size(); ++fork)
+  {
+    std::vector<std::pair<double, Index>> found; // the longest first, then the lowest
+    for (const Index branch : forks[fork])
+    {
+      const auto [first, last] = branches[branch].nodes;
+      const double extent = extentFrom(axis, fork, branches[branch]).ofBalls;
+      if (forks[first == fork ? last : first].size() == 0 && extent <= reachOf[fork])
+      {
+        found.push_back({ -extent, branch });
+      }
+    }
+    std::sort(found.begin(), found.end());
+    const bool areAll = count(found) == forks[fork].size() && !found.empty();
+    for (std::size_t i = areAll ? 2 : 0; i < found.size(); ++i)
+    {
+      result.push_back(found[i].second);
+    }
+  }
+  return result;
 }
 
-std::vector<CurveBranch> curveBranches(const MedialAxis& axis, const std::vector<Edge>& edges)
+std::vector<Edge> without(const std::vector<CurveBranch>& gone, const std::vector<Edge>& edges)
 {
-  std::vector<CurveBranch> result = Walk(count(axis.points), edges).branches();
-  ForkMerging(axis, result).merge();
+  EdgeSet goneEdges;
+  for (const CurveBranch& branch : gone)
+  {
+    for (std::size_t i = 1; i < branch.points.size(); ++i)
+    {
+      goneEdges.insert(branch.points[i - 1], branch.points[i]);
+    }
+  }
+  std::vector<Edge> result;
+  std::copy_if(edges.begin(), edges.end(), std::back_inserter(result),
+    [&goneEdges](const Edge& edge) { return !goneEdges.contains(edge[0], edge[1]); });
   return result;
+}
+}
+
+std::vector<CurveBranch> curveBranches(
+  const MedialAxis& axis, const std::vector<double>& times, std::vector<Edge> edges)
+{
+  constexpr int rounds = 4; // without a stub, a fork may be none, and two branches one
+  for (int round = 1;; ++round)
+  {
+    std::vector<CurveBranch> result = Walk(count(axis.points), edges).branches();
+    ForkMerging(axis, times, result).merge();
+    std::vector<CurveBranch> gone;
+    for (const Index branch : stubs(axis, times, result))
+    {
+      gone.push_back(result[branch]);
+    }
+    if (gone.empty() || round == rounds)
+    {
+      return result;
+    }
+    edges = without(gone, edges);
+  }
 }
 }

@@ -19,13 +19,16 @@ struct CurveBranch
 /// The lines of a graph between its nodes, which are the points with another number of edges than
 /// two. By lowest node, then loops without nodes by lowest point.
 ///
-/// Nodes where three lines or more meet become one where they are so near to each other that there is
-/// no rod between: those with the largest balls first take in each such neighbour to which a line runs
-/// within their ball, and this line goes. Pieces and loops stay, because a line goes only between two
-/// nodes that were not one.
+/// A fork, where three lines or more meet, reaches as far as half the width of the sheet there (burn
+/// time) + a radius. Forks become one where a line between them stays that near to one of them, so that
+/// their balls meet: those that reach farthest first take in such neighbours, and the line goes. So does a
+/// line to a free end, if its balls stay that near. Pieces and loops stay, because a line goes only between
+/// two nodes that were not one, or to an end.
 ///
 /// Takes O(n log n).
-std::vector<CurveBranch> curveBranches(const MedialAxis& axis, const std::vector<Edge>& edges);
+/// @param times  burnTimes() of the axis
+std::vector<CurveBranch> curveBranches(
+  const MedialAxis& axis, const std::vector<double>& times, std::vector<Edge> edges);
 }
 
 #endif

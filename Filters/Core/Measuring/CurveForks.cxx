@@ -106,16 +106,20 @@ public:
   }
 
 private:
-  /// A fork is as large as the rods that leave it.
+  /// A fork is as large as the rods that leave it. It may be in a web between them, where balls are small and
+  /// become larger towards the rods; a few rounds come there.
   void enlarge(const Point& middle)
   {
-    const double reach = 2 * this->radius;
-    for (const End& end : this->ends)
+    for (int round = 0; round < 3; ++round)
     {
-      FromEnd curve(this->curves, end);
-      for (Index i = 0; i < curve.size() && (curve.point(i) - middle).norm() <= reach; ++i)
+      const double reach = 2 * this->radius;
+      for (const End& end : this->ends)
       {
-        this->radius = std::max(this->radius, curve.radius(i));
+        FromEnd curve(this->curves, end);
+        for (Index i = 0; i < curve.size() && (curve.point(i) - middle).norm() <= reach; ++i)
+        {
+          this->radius = std::max(this->radius, curve.radius(i));
+        }
       }
     }
   }
@@ -205,7 +209,8 @@ private:
     {
       const double share = static_cast<double>(i) / ray.points;
       curve.point(i) = (1 - share) * to + share * ray.from;
-      curve.radius(i) = std::max(0.0, ray.radius - ray.slope * (1 - share) * length);
+      const double radius = ray.radius - ray.slope * (1 - share) * length;
+      curve.radius(i) = std::clamp(radius, 0.0, this->radius);
     }
   }
 

@@ -116,7 +116,7 @@ private:
     const Index size = count(this->all);
     const Index before = this->isLoop ? std::min(most, (size - 1) / 2) : std::min(most, i);
     const Index after = this->isLoop ? before : std::min(most, size - 1 - i);
-    const double reach = this->all[i].mean[3];
+    const double reach = 0.5 * this->all[i].mean[3];
     Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
     Eigen::Matrix<double, 3, 5> right = Eigen::Matrix<double, 3, 5>::Zero();
     for (Index j = i - before; j <= i + after; ++j)
