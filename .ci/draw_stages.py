@@ -36,10 +36,11 @@ FLOW = {
                      ["PartId", "KeepReason"]),
     "Crust": Stage("builds the surface around the kept balls", "vtkPowerCrust", "surface",
                    ["PartId", "InnerBall", "OuterBall"]),
+    "Measuring": Stage("traces the middle of rods", "vtkMedialCenterlines", "curves", ["BranchId"]),
 }
 FOUNDATION = "Base"  # holds what all stages share, and takes no part in the flow
-FIRST_DATA, LAST_DATA = "image", "surface"
-SECOND_INPUT = "balls"  # of the last stage
+FIRST_DATA, LAST_DATA = "image", "curves"
+SECOND_INPUT = "balls"  # of the last stage but one
 
 WIDTH, LEFT, BOX, LINE = 810, 20, 710, 18
 GAP = 64  # between two boxes, for the data
@@ -124,7 +125,7 @@ def drawing():
         y += height
         body += svg + data_at(y, stage.gives, stage.arrays)
         y += GAP
-    body += second_input(middles[SECOND_INPUT], middles[LAST_DATA])
+    body += second_input(middles[SECOND_INPUT], middles["surface"])
     svg, height = box_of(FOUNDATION, "holds what all stages share", "", included[FOUNDATION], y)
     return page(body + svg, y + height + 20)
 

@@ -160,6 +160,17 @@ constexpr const char* TopologyChanges = "TopologyChanges";
 constexpr const char* Betti = "Betti";
 constexpr const char* VolumeRemoved = "VolumeRemoved";
 
+// vtkMedialCenterlines: points; MaximumInscribedSphereRadius too
+// ... cells
+constexpr const char* BranchId = "BranchId";
+constexpr const char* BranchNodes = "BranchNodes";
+constexpr const char* Length = "Length";
+constexpr const char* MeanRadius = "MeanRadius"; // and MinimumRadius
+// ... nodes: points; NodeId, Degree too
+constexpr const char* AtPlate = "AtPlate";
+// ... field data, a single value
+constexpr const char* OpenedVoids = "OpenedVoids";
+
 // vtkPowerCrust: points
 constexpr const char* SampleId = "SampleId";
 // ... cells; PartId too

@@ -33,6 +33,30 @@ void check(const MedialAxis& axis, const CentrelineOptions& options)
   }
 }
 
+BallTree ballsOf(const MedialAxis& axis)
+{
+  std::vector<Ball> balls;
+  for (std::size_t i = 0; i < axis.points.size(); ++i)
+  {
+    balls.push_back({ axis.points[i], axis.radii[i] });
+  }
+  return BallTree(balls);
+}
+
+/// No ball is smaller than what the balls of the axis leave around its centre: in a fork a curve may have
+/// left the axis, so that the means of its radii say too little.
+void enlarge(const BallTree& solid, std::vector<Centreline>& curves, const Execution& execution)
+{
+  execution.forEach(count(curves), [&](Index i) {
+    Centreline& curve = curves[i];
+    for (std::size_t j = 0; j < curve.points.size(); ++j)
+    {
+      curve.radii[j] = std::max(curve.radii[j], -solid.distance(curve.points[j]));
+      curve.halfWidths[j] = std::max(curve.halfWidths[j], curve.radii[j]);
+    }
+  });
+}
+
 /// Smoothed curves that meet at nodes, which are points of the axis.
 std::vector<Centreline> wholeCurves(const MedialAxis& axis, const std::vector<double>& times,
   const std::vector<Edge>& edges, const Execution& execution)
@@ -41,28 +65,10 @@ std::vector<Centreline> wholeCurves(const MedialAxis& axis, const std::vector<do
   std::vector<Centreline> result(branches.size());
   execution.forEach(
     count(branches), [&](Index i) { result[i] = smoothed(axis, times, branches[i]); });
-  joinAtForks(axis, result);
+  const BallTree solid = ballsOf(axis);
+  joinAtForks(axis, solid, result);
+  enlarge(solid, result, execution.between(0.5, 1));
   return result;
-}
-
-/// In a fork a curve may have left the axis, so that the means of its radii say too little: no ball is
-/// smaller than what the axis' balls leave around its centre.
-void enlarge(const MedialAxis& axis, std::vector<Centreline>& curves, const Execution& execution)
-{
-  std::vector<Ball> balls;
-  for (std::size_t i = 0; i < axis.points.size(); ++i)
-  {
-    balls.push_back({ axis.points[i], axis.radii[i] });
-  }
-  const BallTree tree(balls);
-  execution.forEach(count(curves), [&](Index i) {
-    Centreline& curve = curves[i];
-    for (std::size_t j = 0; j < curve.points.size(); ++j)
-    {
-      curve.radii[j] = std::max(curve.radii[j], -tree.distance(curve.points[j]));
-      curve.halfWidths[j] = std::max(curve.halfWidths[j], curve.radii[j]);
-    }
-  });
 }
 
 std::vector<Centreline> cutAtPlates(
@@ -141,8 +147,7 @@ Centrelines centrelines(
   const CurveSkeleton skeleton = curveSkeleton(axis, times, execution.between(0, 0.5));
   const std::vector<Edge> edges =
     withoutTwigs(axis, times, skeleton.edges, execution.between(0.5, 0.6));
-  std::vector<Centreline> curves = wholeCurves(axis, times, edges, execution.between(0.6, 0.8));
-  enlarge(axis, curves, execution.between(0.8, 1));
+  std::vector<Centreline> curves = wholeCurves(axis, times, edges, execution.between(0.6, 1));
   if (options.widthRatio > 0)
   {
     curves = cutAtPlates(curves, count(axis.points), options.widthRatio);

@@ -34,15 +34,16 @@ struct CentrelineOptions
   double widthRatio = 1.5;
 };
 
-/// Lines along the middle of rods and tubes, from node to node. A tube is a rod here: its inside is the solid.
+/// Lines along the middle of rods and tubes, from node to node. A tube is a rod here: its inside is the
+/// solid.
 ///
 /// The axis of a rod is a narrow sheet, or many, with lines between. It is collapsed to a graph
-/// (CurveSkeleton), whose twigs go (Twigs), whose near forks become one (CurveBranches), whose
-/// lines are smoothed (CurveSmoothing) and meet in points (CurveForks); and cut where plates
-/// begin (RodPieces). All but the cuts keep the number of pieces and of loops.
+/// (CurveSkeleton), whose twigs go (Twigs), whose near forks become one (CurveBranches), whose lines are
+/// smoothed (CurveSmoothing) and meet in points (CurveForks); and cut where plates begin (RodPieces). All
+/// but the cuts keep the number of pieces and of loops.
 ///
-/// Branches are in the order of the lowest points of the axis at their ends, then loops that meet nothing. Pieces whose
-/// axis is a single point, such as a ball, have none. Takes O(n log n).
+/// Branches are in the order of the lowest points of the axis at their ends, then loops that meet nothing.
+/// Pieces whose axis is a single point, such as a ball, have none. Takes O(n log n).
 ///
 /// @throw InvalidInput  a ratio that is negative or no number, or no erosion thickness
 /// @throw Aborted

@@ -197,11 +197,14 @@ public:
     , forks(branchesAtForks(count(axis.points), branches))
     , reach(reaches(axis, times, forks, branches))
     , standsFor(axis.points.size(), None)
+    , way(axis.points.size(), None)
     , isGone(branches.size(), 0)
   {
   }
 
-  void merge()
+  /// @param extends  lets the branches of a fork that was taken in begin at the one that took it, along
+  ///                 the line between them
+  void merge(bool extends)
   {
     for (const Index fork : this->largestFirst())
     {
@@ -215,17 +218,48 @@ public:
     {
       if (!this->isGone[branch])
       {
-        for (Index& node : this->branches[branch].nodes)
-        {
-          node = node == None || this->standsFor[node] == None ? node : this->standsFor[node];
-        }
-        left.push_back(std::move(this->branches[branch]));
+        left.push_back(this->renamed(this->branches[branch], extends));
       }
     }
     this->branches = std::move(left);
   }
 
 private:
+  CurveBranch renamed(CurveBranch branch, bool extends) const
+  {
+    for (Index& node : branch.nodes)
+    {
+      std::reverse(branch.points.begin(), branch.points.end()); // twice: as it was
+      if (extends && node != None && this->way[node] != None)
+      {
+        const std::vector<Index> points = this->wayFrom(node);
+        branch.points.insert(branch.points.end(), points.begin(), points.end());
+      }
+      node = node == None || this->standsFor[node] == None ? node : this->standsFor[node];
+    }
+    return branch;
+  }
+
+  /// The points after a fork on its way to the one that stands for it; few, because each of its branches gets
+  /// them.
+  std::vector<Index> wayFrom(Index fork) const
+  {
+    std::vector<Index> points = this->branches[this->way[fork]].points;
+    if (points.front() != fork)
+    {
+      std::reverse(points.begin(), points.end());
+    }
+    constexpr std::size_t most = 32;
+    const std::size_t step = points.size() / most + 1;
+    std::vector<Index> result;
+    for (std::size_t i = step; i + 1 < points.size(); i += step)
+    {
+      result.push_back(points[i]);
+    }
+    result.push_back(points.back());
+    return result;
+  }
+
   std::vector<Index> largestFirst() const
   {
     std::vector<Index> order;
@@ -252,6 +286,7 @@ private:
         extentFrom(this->axis, fork, this->branches[branch]).ofPoints <= this->reach[fork])
       {
         this->standsFor[other] = fork;
+        this->way[other] = branch;
         this->isGone[branch] = 1;
       }
     }
@@ -262,11 +297,12 @@ private:
   IndexLists forks;             ///< for each point that is one its branches
   std::vector<double> reach;    ///< for each fork
   std::vector<Index> standsFor; ///< for each fork that is done the one it is now
+  std::vector<Index> way;       ///< for each fork that is another one now the branch to it
   std::vector<char> isGone;     ///< for each branch
 };
 
-/// The branches between a fork and a free end that the fork reaches to the end. Where it has no others, the two longest
-/// are none of them.
+/// The branches between a fork and a free end that the fork reaches to the end. Where it has no others,
+/// the two longest are none of them.
 std::vector<Index> stubs(const MedialAxis& axis, const std::vector<double>& times,
   const std::vector<CurveBranch>& branches)
 {
@@ -319,14 +355,16 @@ std::vector<CurveBranch> curveBranches(
   for (int round = 1;; ++round)
   {
     std::vector<CurveBranch> result = Walk(count(axis.points), edges).branches();
-    ForkMerging(axis, times, result).merge();
+    std::vector<CurveBranch> merged = result;
+    ForkMerging(axis, times, merged).merge(false);
     std::vector<CurveBranch> gone;
-    for (const Index branch : stubs(axis, times, result))
+    for (const Index branch : stubs(axis, times, merged))
     {
-      gone.push_back(result[branch]);
+      gone.push_back(merged[branch]);
     }
     if (gone.empty() || round == rounds)
     {
+      ForkMerging(axis, times, result).merge(true);
       return result;
     }
     edges = without(gone, edges);

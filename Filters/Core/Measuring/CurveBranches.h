@@ -21,9 +21,9 @@ struct CurveBranch
 ///
 /// A fork, where three lines or more meet, reaches as far as half the width of the sheet there (burn
 /// time) + a radius. Forks become one where a line between them stays that near to one of them, so that
-/// their balls meet: those that reach farthest first take in such neighbours, and the line goes. So does a
-/// line to a free end, if its balls stay that near. Pieces and loops stay, because a line goes only between
-/// two nodes that were not one, or to an end.
+/// their balls meet. Those that reach farthest first take in such neighbours; the lines of these go on
+/// along the one between. A line to a free end goes if its balls stay that near. Pieces and loops stay,
+/// because only lines between two nodes that were not one are contracted.
 ///
 /// Takes O(n log n).
 /// @param times  burnTimes() of the axis

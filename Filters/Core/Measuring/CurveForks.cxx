@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace medial
 {
@@ -68,10 +69,14 @@ private:
 class Fork
 {
 public:
-  Fork(std::vector<Centreline>& curves, const Lists<End>::View& ends, double radius)
+  /// @param node  the ball of the axis there
+  Fork(std::vector<Centreline>& curves, const Lists<End>::View& ends, const Ball& node,
+    const BallTree& solid)
     : curves(curves)
     , ends(ends)
-    , radius(radius)
+    , node(node)
+    , radius(node.radius)
+    , solid(solid)
   {
   }
 
@@ -82,13 +87,12 @@ public:
     {
       middle += FromEnd(this->curves, end).point(0) / this->ends.size();
     }
-    this->enlarge(middle);
-    std::vector<Ray> rays;
-    for (int round = 0; round < 2; ++round) // the second one knows better how far the fork reaches
+    if (!this->isInside(middle, this->node.radius))
     {
-      rays = this->raysFrom(middle);
-      middle = this->meeting(rays, middle);
+      middle = this->node.center;
     }
+    this->enlarge(middle);
+    const auto [rays, meeting] = this->validRays(middle);
     for (const End& end : this->ends)
     {
       const bool hasRay = std::any_of(rays.begin(), rays.end(), [&end](const Ray& ray) {
@@ -96,16 +100,65 @@ public:
       });
       if (!hasRay)
       {
-        this->shift(end, middle);
+        this->shift(end, meeting);
       }
     }
     for (const Ray& ray : rays)
     {
-      this->straighten(ray, middle);
+      this->straighten(ray, meeting);
     }
   }
 
 private:
+  /// Has the solid nearly as large a ball there?
+  bool isInside(const Point& place, double ballRadius) const
+  {
+    return -this->solid.distance(place) >= 0.8 * ballRadius;
+  }
+
+  /// Those that stay inside on their way to the point where they meet, and this point.
+  std::pair<std::vector<Ray>, Point> validRays(const Point& middle)
+  {
+    Point meeting = middle;
+    std::vector<Ray> rays;
+    for (int round = 0; round < 2; ++round) // the second one knows better how far the fork reaches
+    {
+      rays = this->raysFrom(meeting);
+      meeting = this->meeting(rays, meeting);
+    }
+    for (;;)
+    {
+      const auto valid = std::stable_partition(
+        rays.begin(), rays.end(), [&](const Ray& ray) { return this->isValid(ray, meeting); });
+      if (valid == rays.end())
+      {
+        return { rays, rays.empty() ? middle : meeting };
+      }
+      rays.erase(valid, rays.end());
+      meeting = this->meeting(rays, middle);
+    }
+  }
+
+  bool isValid(const Ray& ray, const Point& meeting) const
+  {
+    constexpr int steps = 8;
+    for (int i = 0; i < steps; ++i)
+    {
+      const double share = static_cast<double>(i) / steps;
+      const Point place = (1 - share) * meeting + share * ray.from;
+      if (!this->isInside(place, this->radiusOn(ray, (place - ray.from).norm())))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  double radiusOn(const Ray& ray, double distance) const
+  {
+    return std::clamp(ray.radius - ray.slope * distance, 0.0, this->radius);
+  }
+
   /// A fork is as large as the rods that leave it. It may be in a web between them, where balls are small and
   /// become larger towards the rods; a few rounds come there.
   void enlarge(const Point& middle)
@@ -138,7 +191,8 @@ private:
     return result;
   }
 
-  /// From where the ball about a point of a curve leaves the fork's, but in the first two fifths of the curve.
+  /// From where the ball about a point of a curve leaves the fork's, but in the first two fifths of the
+  /// curve.
   std::optional<Ray> ray(const End& end, const Point& middle)
   {
     FromEnd curve(this->curves, end);
@@ -188,39 +242,43 @@ private:
                                  : Point(middle + step);
   }
 
-  /// Moves an end there, and the rest the less the farther it is.
+  /// Moves an end there, and what is nearer than the fork's diameter the less the farther it is.
   void shift(const End& end, const Point& to)
   {
     FromEnd curve(this->curves, end);
     const std::vector<double> at = curve.lengths();
+    const double length = std::min(at.back(), 2 * this->radius);
     const Point step = to - curve.point(0);
-    for (Index i = 1; i < curve.size(); ++i)
+    for (Index i = 1; i < curve.size() && at[i] < length; ++i)
     {
-      curve.point(i) += at[i] < at.back() ? Point(step * (1 - at[i] / at.back())) : Point::Zero();
+      const Point part = (1 - at[i] / length) * step;
+      curve.point(i) += part;
+      curve.radius(i) = std::max(0.0, curve.radius(i) - part.norm());
     }
     curve.point(0) = to;
+    curve.radius(0) = std::max(0.0, curve.radius(0) - step.norm());
   }
 
   void straighten(const Ray& ray, const Point& to)
   {
     FromEnd curve(this->curves, ray.end);
-    const double length = (ray.from - to).norm();
     for (Index i = 0; i < ray.points; ++i)
     {
       const double share = static_cast<double>(i) / ray.points;
       curve.point(i) = (1 - share) * to + share * ray.from;
-      const double radius = ray.radius - ray.slope * (1 - share) * length;
-      curve.radius(i) = std::clamp(radius, 0.0, this->radius);
+      curve.radius(i) = this->radiusOn(ray, (curve.point(i) - ray.from).norm());
     }
   }
 
   std::vector<Centreline>& curves;
   const Lists<End>::View ends;
+  const Ball node;
   double radius;
+  const BallTree& solid;
 };
 }
 
-void joinAtForks(const MedialAxis& axis, std::vector<Centreline>& curves)
+void joinAtForks(const MedialAxis& axis, const BallTree& solid, std::vector<Centreline>& curves)
 {
   const Lists<End> endsAt = listsByKey<End>(count(axis.points), [&curves](const auto& add) {
     for (Index i = 0; i < count(curves); ++i)
@@ -238,7 +296,8 @@ void joinAtForks(const MedialAxis& axis, std::vector<Centreline>& curves)
   {
     if (endsAt[node].size() > 1)
     {
-      Fork(curves, endsAt[node], axis.radii[node]).place();
+      const Ball ball{ axis.points[node], axis.radii[node] };
+      Fork(curves, endsAt[node], ball, solid).place();
     }
   }
 }
