@@ -316,7 +316,7 @@ std::vector<Index> stubs(const MedialAxis& axis, const std::vector<double>& time
     {
       const auto [first, last] = branches[branch].nodes;
       const double extent = extentFrom(axis, fork, branches[branch]).ofBalls;
-      if (forks[first == fork ? last : first].size() == 0 && extent <= reachOf[fork])
+      if (forks[first == fork ? last : first].size() == 0 && extent <= 1.25 * reachOf[fork])
       {
         found.push_back({ -extent, branch });
       }

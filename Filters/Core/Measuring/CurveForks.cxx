@@ -113,7 +113,7 @@ private:
   /// Has the solid nearly as large a ball there?
   bool isInside(const Point& place, double ballRadius) const
   {
-    return -this->solid.distance(place) >= 0.8 * ballRadius;
+    return -this->solid.distance(place) >= 0.5 * ballRadius;
   }
 
   /// Those that stay inside on their way to the point where they meet, and this point.
@@ -191,7 +191,7 @@ private:
     return result;
   }
 
-  /// From where the ball about a point of a curve leaves the fork's, but in the first two fifths of the
+  /// From where the ball about a point of a curve leaves the fork's for good, but in the first half of the
   /// curve.
   std::optional<Ray> ray(const End& end, const Point& middle)
   {
@@ -199,21 +199,21 @@ private:
     const std::vector<double> at = curve.lengths();
     const auto distance = [&](Index i) { return (curve.point(i) - middle).norm(); };
     Index from = 0;
-    while (from < curve.size() && at[from] < 0.4 * at.back() &&
-      distance(from) <= this->radius + curve.radius(from))
+    for (Index i = 0; i + 1 < curve.size() && at[i] < 0.5 * at.back(); ++i)
     {
-      ++from;
+      from = distance(i) <= this->radius + curve.radius(i) ? i + 1 : from;
     }
-    if (from == 0 || from == curve.size() || distance(from) <= this->radius)
+    if (from == 0 || distance(from) <= this->radius)
     {
       return {};
     }
-    Index to = from + 1;
-    while (to < curve.size() && at[to] < 0.6 * at.back() && at[to] - at[from] < curve.radius(from))
+    const double enough = std::min(curve.radius(from), 0.15 * at.back());
+    Index to = from;
+    while (to + 1 < curve.size() && at[to] - at[from] < enough)
     {
       ++to;
     }
-    if (to >= curve.size() || at[to] <= at[from])
+    if (at[to] <= at[from])
     {
       return {};
     }
