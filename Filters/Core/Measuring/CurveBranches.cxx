@@ -122,20 +122,13 @@ IndexLists branchesAtForks(Index pointCount, const std::vector<CurveBranch>& bra
   });
 }
 
-/// How far a branch and its balls go from a fork at most.
-struct Extent
+/// How far a branch goes from a fork at most.
+double extentFrom(const MedialAxis& axis, Index fork, const CurveBranch& branch)
 {
-  double ofPoints, ofBalls;
-};
-
-Extent extentFrom(const MedialAxis& axis, Index fork, const CurveBranch& branch)
-{
-  Extent result{ 0, 0 };
+  double result = 0;
   for (const Index point : branch.points)
   {
-    const double distance = (axis.points[point] - axis.points[fork]).norm();
-    result.ofPoints = std::max(result.ofPoints, distance);
-    result.ofBalls = std::max(result.ofBalls, distance + axis.radii[point]);
+    result = std::max(result, (axis.points[point] - axis.points[fork]).norm());
   }
   return result;
 }
@@ -283,7 +276,7 @@ private:
       const auto [first, last] = this->branches[branch].nodes;
       const Index other = first == fork ? last : first;
       if (this->forks[other].size() > 0 && this->standsFor[other] == None &&
-        extentFrom(this->axis, fork, this->branches[branch]).ofPoints <= this->reach[fork])
+        extentFrom(this->axis, fork, this->branches[branch]) <= this->reach[fork])
       {
         this->standsFor[other] = fork;
         this->way[other] = branch;
@@ -315,8 +308,8 @@ std::vector<Index> stubs(const MedialAxis& axis, const std::vector<double>& time
     for (const Index branch : forks[fork])
     {
       const auto [first, last] = branches[branch].nodes;
-      const double extent = extentFrom(axis, fork, branches[branch]).ofBalls;
-      if (forks[first == fork ? last : first].size() == 0 && extent <= 1.25 * reachOf[fork])
+      const double extent = extentFrom(axis, fork, branches[branch]);
+      if (forks[first == fork ? last : first].size() == 0 && extent <= reachOf[fork])
       {
         found.push_back({ -extent, branch });
       }

@@ -22,7 +22,7 @@ struct CurveBranch
 /// A fork, where three lines or more meet, reaches as far as half the width of the sheet there (burn
 /// time) + a radius. Forks become one where a line between them stays that near to one of them, so that
 /// their balls meet. Those that reach farthest first take in such neighbours; the lines of these go on
-/// along the one between. A line to a free end goes if its balls stay that near. Pieces and loops stay,
+/// along the one between. A line to a free end goes if it stays that near. Pieces and loops stay,
 /// because only lines between two nodes that were not one are contracted.
 ///
 /// Takes O(n log n).
