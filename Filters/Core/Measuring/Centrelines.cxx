@@ -123,8 +123,9 @@ Centrelines numbered(std::vector<Centreline> curves, Index pointCount)
         numberOf[node] = number;
       }
       node = number;
-      result.nodes[number].radius = std::max(result.nodes[number].radius, radius);
-      ++result.nodes[number].degree;
+      CentrelineNode& here = result.nodes[number];
+      ++here.degree;
+      here.radius += (radius - here.radius) / here.degree; // the mean
     }
   }
   for (Centreline& branch : result.branches)

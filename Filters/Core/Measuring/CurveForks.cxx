@@ -4,8 +4,10 @@
 #include "Base/Lists.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -69,14 +71,16 @@ private:
 class Fork
 {
 public:
-  /// @param node  the ball of the axis there
+  /// @param node        the ball of the axis there
+  /// @param chordShare  over so much of a curve, at most, its direction is taken
   Fork(std::vector<Centreline>& curves, const Lists<End>::View& ends, const Ball& node,
-    const BallTree& solid)
+    const BallTree& solid, double chordShare)
     : curves(curves)
     , ends(ends)
     , node(node)
     , radius(node.radius)
     , solid(solid)
+    , chordShare(chordShare)
   {
   }
 
@@ -121,22 +125,35 @@ private:
   {
     Point meeting = middle;
     std::vector<Ray> rays;
-    for (int round = 0; round < 2; ++round) // the second one knows better how far the fork reaches
+    for (int round = 0; round < 3; ++round) // later ones know better how far the fork reaches
     {
       rays = this->raysFrom(meeting);
       meeting = this->meeting(rays, meeting);
     }
-    for (;;)
+    // One wrong ray leads the others astray, so only the one that misses most goes at a time.
+    while (const std::optional<std::size_t> worst = this->worstInvalid(rays, meeting))
     {
-      const auto valid = std::stable_partition(
-        rays.begin(), rays.end(), [&](const Ray& ray) { return this->isValid(ray, meeting); });
-      if (valid == rays.end())
-      {
-        return { rays, rays.empty() ? middle : meeting };
-      }
-      rays.erase(valid, rays.end());
-      meeting = this->meeting(rays, middle);
+      rays.erase(rays.begin() + static_cast<std::ptrdiff_t>(*worst));
+      meeting = rays.empty() ? middle : this->meeting(rays, middle);
     }
+    return { rays, meeting };
+  }
+
+  /// Of the rays that leave the solid the one that passes the meeting point farthest.
+  std::optional<std::size_t> worstInvalid(const std::vector<Ray>& rays, const Point& meeting) const
+  {
+    std::optional<std::size_t> worst;
+    double farthest = -1;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+      const double miss = (meeting - rays[i].from).cross(rays[i].direction).norm();
+      if (miss > farthest && !this->isValid(rays[i], meeting))
+      {
+        worst = i;
+        farthest = miss;
+      }
+    }
+    return worst;
   }
 
   bool isValid(const Ray& ray, const Point& meeting) const
@@ -201,13 +218,13 @@ private:
     Index from = 0;
     for (Index i = 0; i + 1 < curve.size() && at[i] < 0.5 * at.back(); ++i)
     {
-      from = distance(i) <= this->radius + curve.radius(i) ? i + 1 : from;
+      from = distance(i) <= this->radius + 1.5 * curve.radius(i) ? i + 1 : from;
     }
     if (from == 0 || distance(from) <= this->radius)
     {
       return {};
     }
-    const double enough = std::min(curve.radius(from), 0.15 * at.back());
+    const double enough = std::min(2 * curve.radius(from), this->chordShare * at.back());
     Index to = from;
     while (to + 1 < curve.size() && at[to] - at[from] < enough)
     {
@@ -275,6 +292,7 @@ private:
   const Ball node;
   double radius;
   const BallTree& solid;
+  double chordShare;
 };
 }
 
@@ -292,12 +310,16 @@ void joinAtForks(const MedialAxis& axis, const BallTree& solid, std::vector<Cent
       }
     }
   });
-  for (Index node = 0; node < endsAt.size(); ++node)
+  // The second time, the other ends of the curves are in place, and more of each curve is straight.
+  for (const double chordShare : { 0.1, 0.25 })
   {
-    if (endsAt[node].size() > 1)
+    for (Index node = 0; node < endsAt.size(); ++node)
     {
-      const Ball ball{ axis.points[node], axis.radii[node] };
-      Fork(curves, endsAt[node], ball, solid).place();
+      if (endsAt[node].size() > 1)
+      {
+        const Ball ball{ axis.points[node], axis.radii[node] };
+        Fork(curves, endsAt[node], ball, solid, chordShare).place();
+      }
     }
   }
 }
