@@ -46,6 +46,11 @@ public:
   Index size() const { return count(this->curve.points); }
   Point& point(Index i) { return this->curve.points[this->place(i)]; }
   double& radius(Index i) { return this->curve.radii[this->place(i)]; }
+  /// @param values  one for each point of the curve
+  double valueOf(const std::vector<double>& values, Index i) const
+  {
+    return values[this->place(i)];
+  }
 
   /// The length up to each point.
   std::vector<double> lengths() const
@@ -67,20 +72,57 @@ private:
   bool isLast;
 };
 
+/// Where the rays come nearest to each other, by least squares, within a radius of the middle. It counts a
+/// little itself, in case they are parallel.
+Point meetingOf(const std::vector<Ray>& rays, const Point& middle, double radius)
+{
+  constexpr double little = 0.05;
+  Eigen::Matrix3d left = little * Eigen::Matrix3d::Identity();
+  Point right = Point::Zero();
+  for (const Ray& ray : rays)
+  {
+    const Eigen::Matrix3d across =
+      Eigen::Matrix3d::Identity() - ray.direction * ray.direction.transpose();
+    left += across;
+    right += across * (ray.from - middle);
+  }
+  const Point step = left.ldlt().solve(right);
+  const double length = step.norm();
+  return length > radius ? Point(middle + radius / length * step) : Point(middle + step);
+}
+
+/// Moves an end there, and what is nearer than the reach the less the farther it is.
+void shift(FromEnd curve, const Point& to, double reach)
+{
+  const std::vector<double> at = curve.lengths();
+  const double length = std::min(at.back(), reach);
+  const Point step = to - curve.point(0);
+  for (Index i = 1; i < curve.size() && at[i] < length; ++i)
+  {
+    const Point part = (1 - at[i] / length) * step;
+    curve.point(i) += part;
+    curve.radius(i) = std::max(0.0, curve.radius(i) - part.norm());
+  }
+  curve.point(0) = to;
+  curve.radius(0) = std::max(0.0, curve.radius(0) - step.norm());
+}
+
 /// Puts one fork and the curves at it in place.
 class Fork
 {
 public:
-  /// @param node        the ball of the axis there
-  /// @param chordShare  over so much of a curve, at most, its direction is taken
+  /// @param node           the ball of the axis there
+  /// @param chordShare     over so much of a curve, at most, its direction is taken
+  /// @param smoothedRadii  of each curve, before any fork was put in place
   Fork(std::vector<Centreline>& curves, const Lists<End>::View& ends, const Ball& node,
-    const BallTree& solid, double chordShare)
+    const BallTree& solid, double chordShare, const std::vector<std::vector<double>>& smoothedRadii)
     : curves(curves)
     , ends(ends)
     , node(node)
     , radius(node.radius)
     , solid(solid)
     , chordShare(chordShare)
+    , smoothedRadii(smoothedRadii)
   {
   }
 
@@ -104,7 +146,7 @@ public:
       });
       if (!hasRay)
       {
-        this->shift(end, meeting);
+        shift(FromEnd(this->curves, end), meeting, 2 * this->radius);
       }
     }
     for (const Ray& ray : rays)
@@ -128,13 +170,13 @@ private:
     for (int round = 0; round < 3; ++round) // later ones know better how far the fork reaches
     {
       rays = this->raysFrom(meeting);
-      meeting = this->meeting(rays, meeting);
+      meeting = meetingOf(rays, meeting, this->radius);
     }
     // One wrong ray leads the others astray, so only the one that misses most goes at a time.
     while (const std::optional<std::size_t> worst = this->worstInvalid(rays, meeting))
     {
       rays.erase(rays.begin() + static_cast<std::ptrdiff_t>(*worst));
-      meeting = rays.empty() ? middle : this->meeting(rays, middle);
+      meeting = rays.empty() ? middle : meetingOf(rays, middle, this->radius);
     }
     return { rays, meeting };
   }
@@ -235,45 +277,16 @@ private:
       return {};
     }
     const Point chord = curve.point(to) - curve.point(from);
-    const double slope = (curve.radius(to) - curve.radius(from)) / (at[to] - at[from]);
-    return Ray{ end, from, curve.point(from), chord.stableNormalized(), curve.radius(from), slope };
-  }
-
-  /// Where the rays come nearest to each other, by least squares, within a radius of the middle. It counts a
-  /// little itself, in case they are parallel.
-  Point meeting(const std::vector<Ray>& rays, const Point& middle) const
-  {
-    constexpr double little = 0.05;
-    Eigen::Matrix3d left = little * Eigen::Matrix3d::Identity();
-    Point right = Point::Zero();
-    for (const Ray& ray : rays)
+    // Radii that were extrapolated from the other end say nothing.
+    Index growth = from;
+    while (growth + 1 < curve.size() && at[growth] - at[from] < 0.15 * at.back())
     {
-      const Eigen::Matrix3d across =
-        Eigen::Matrix3d::Identity() - ray.direction * ray.direction.transpose();
-      left += across;
-      right += across * (ray.from - middle);
+      ++growth;
     }
-    const Point step = left.ldlt().solve(right);
-    const double length = step.norm();
-    return length > this->radius ? Point(middle + this->radius / length * step)
-                                 : Point(middle + step);
-  }
-
-  /// Moves an end there, and what is nearer than the fork's diameter the less the farther it is.
-  void shift(const End& end, const Point& to)
-  {
-    FromEnd curve(this->curves, end);
-    const std::vector<double> at = curve.lengths();
-    const double length = std::min(at.back(), 2 * this->radius);
-    const Point step = to - curve.point(0);
-    for (Index i = 1; i < curve.size() && at[i] < length; ++i)
-    {
-      const Point part = (1 - at[i] / length) * step;
-      curve.point(i) += part;
-      curve.radius(i) = std::max(0.0, curve.radius(i) - part.norm());
-    }
-    curve.point(0) = to;
-    curve.radius(0) = std::max(0.0, curve.radius(0) - step.norm());
+    const std::vector<double>& radii = this->smoothedRadii[end.curve];
+    const double radius = curve.valueOf(radii, from);
+    const double slope = (curve.valueOf(radii, growth) - radius) / (at[growth] - at[from]);
+    return Ray{ end, from, curve.point(from), chord.stableNormalized(), radius, slope };
   }
 
   void straighten(const Ray& ray, const Point& to)
@@ -293,6 +306,7 @@ private:
   double radius;
   const BallTree& solid;
   double chordShare;
+  const std::vector<std::vector<double>>& smoothedRadii;
 };
 }
 
@@ -310,6 +324,11 @@ void joinAtForks(const MedialAxis& axis, const BallTree& solid, std::vector<Cent
       }
     }
   });
+  std::vector<std::vector<double>> smoothedRadii;
+  for (const Centreline& curve : curves)
+  {
+    smoothedRadii.push_back(curve.radii);
+  }
   // The second time, the other ends of the curves are in place, and more of each curve is straight.
   for (const double chordShare : { 0.1, 0.25 })
   {
@@ -318,7 +337,7 @@ void joinAtForks(const MedialAxis& axis, const BallTree& solid, std::vector<Cent
       if (endsAt[node].size() > 1)
       {
         const Ball ball{ axis.points[node], axis.radii[node] };
-        Fork(curves, endsAt[node], ball, solid, chordShare).place();
+        Fork(curves, endsAt[node], ball, solid, chordShare, smoothedRadii).place();
       }
     }
   }
