@@ -33,10 +33,10 @@
  *  - `Degree` (points; vtkIdType): the ends of branches there.
  *  - `AtPlate` (points; unsigned char): 1 where a rod goes on as a plate.
  *
- * What is a rod? A sheet of the axis is as wide as twice `ErosionThickness` + `Radius` in its middle, and the solid
- * as thick as twice the radius there. Where the width is more than WidthRatio times the thickness, over a length of at
- * least the thickness, is a plate. Branches end there. With a WidthRatio of 0 they go through plates, along their
- * middle; then they are connected as the axis is, and have its loops.
+ * What is a rod? A sheet of the axis is as wide as twice `ErosionThickness` + `Radius` in its middle, and the
+ * solid as thick as twice the radius there. Places where the width is more than WidthRatio times the thickness,
+ * over a length of at least the thickness, are plates. Branches end there. With a WidthRatio of 0 they go through
+ * plates, along their middle; then they are connected as the axis is, and have its loops.
  *
  * What is no rod of its own: a branch that sticks out of another by less than a radius, and what begins and
  * ends within a diameter of a fork; forks so near to each other become one. A rod that is cut off straight has
