@@ -163,6 +163,15 @@ constexpr const char* VolumeRemoved = "VolumeRemoved";
 
 // vtkMedialMeshReader: points and cells; Radius too
 constexpr const char* Type = "Type";
+// vtkMedialCenterlines: points; MaximumInscribedSphereRadius too
+// ... cells; Length too
+constexpr const char* BranchId = "BranchId";
+constexpr const char* BranchNodes = "BranchNodes";
+constexpr const char* MeanRadius = "MeanRadius"; // and MinimumRadius
+// ... nodes: points; NodeId, Degree too
+constexpr const char* AtPlate = "AtPlate";
+// ... field data, a single value
+constexpr const char* OpenedVoids = "OpenedVoids";
 
 // vtkPowerCrust: points
 constexpr const char* SampleId = "SampleId";

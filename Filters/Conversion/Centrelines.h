@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Conversion_Centrelines_h
+#define Conversion_Centrelines_h
+
+#include "Measuring/Centrelines.h"
+
+class vtkPolyData;
+
+namespace medial
+{
+/// A polyline for each branch, and its nodes as vertices. Point i of the polylines is node i, the others
+/// follow.
+void write(const Centrelines& lines, vtkPolyData* output, vtkPolyData* nodes);
+}
+
+#endif

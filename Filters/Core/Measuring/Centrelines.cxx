@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Measuring/Centrelines.h"
+
+#include "Base/BallTree.h"
+#include "Base/Errors.h"
+#include "Measuring/CurveBranches.h"
+#include "Measuring/CurveForks.h"
+#include "Measuring/CurveSkeleton.h"
+#include "Measuring/CurveSmoothing.h"
+#include "Measuring/RodPieces.h"
+#include "Measuring/Twigs.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace medial
+{
+namespace
+{
+void check(const MedialAxis& axis, const CentrelineOptions& options)
+{
+  if (!(options.widthRatio >= 0))
+  {
+    throw InvalidInput("The width ratio of rods is ", options.widthRatio,
+      "; give a number above 1, or 0 for curves through plates, too.");
+  }
+  if (axis.erosion.size() != axis.points.size())
+  {
+    throw InvalidInput(
+      "The medial axis has no erosion thickness for each of its points, which tells how wide "
+      "it is. Make it with medialAxis().");
+  }
+}
+
+BallTree ballsOf(const MedialAxis& axis)
+{
+  std::vector<Ball> balls;
+  for (std::size_t i = 0; i < axis.points.size(); ++i)
+  {
+    balls.push_back({ axis.points[i], axis.radii[i] });
+  }
+  return BallTree(balls);
+}
+
+/// No ball is smaller than what the balls of the axis leave around its centre: in a fork a curve may have
+/// left the axis, so that the means of its radii say too little.
+void enlarge(const BallTree& solid, std::vector<Centreline>& curves, const Execution& execution)
+{
+  execution.forEach(count(curves), [&](Index i) {
+    Centreline& curve = curves[i];
+    for (std::size_t j = 0; j < curve.points.size(); ++j)
+    {
+      curve.radii[j] = std::max(curve.radii[j], -solid.distance(curve.points[j]));
+      curve.halfWidths[j] = std::max(curve.halfWidths[j], curve.radii[j]);
+    }
+  });
+}
+
+/// Smoothed curves that meet at nodes, which are points of the axis.
+std::vector<Centreline> wholeCurves(const MedialAxis& axis, const std::vector<double>& times,
+  const std::vector<Edge>& edges, const Execution& execution)
+{
+  const std::vector<CurveBranch> branches = curveBranches(axis, times, edges);
+  std::vector<Centreline> result(branches.size());
+  execution.forEach(
+    count(branches), [&](Index i) { result[i] = smoothed(axis, times, branches[i]); });
+  const BallTree solid = ballsOf(axis);
+  joinAtForks(axis, solid, result);
+  enlarge(solid, result, execution.between(0.5, 1));
+  return result;
+}
+
+std::vector<Centreline> cutAtPlates(
+  const std::vector<Centreline>& curves, Index pointCount, double widthRatio)
+{
+  std::vector<Index> degree(pointCount, 0);
+  for (const Centreline& curve : curves)
+  {
+    for (const Index node : curve.nodes)
+    {
+      degree[std::max(node, 0)] += node != None ? 1 : 0;
+    }
+  }
+  std::vector<Centreline> result;
+  for (const Centreline& curve : curves)
+  {
+    const auto isFree = [&](Index node) { return node != None && degree[node] == 1; };
+    for (Centreline& piece :
+      rodPieces(curve, { isFree(curve.nodes[0]), isFree(curve.nodes[1]) }, widthRatio))
+    {
+      result.push_back(std::move(piece));
+    }
+  }
+  return result;
+}
+
+/// Numbers the nodes in the order of the branches. A loop that meets nothing has none.
+Centrelines numbered(std::vector<Centreline> curves, Index pointCount)
+{
+  Centrelines result{ std::move(curves), {}, 0 };
+  std::vector<Index> numberOf(pointCount, None);
+  for (Centreline& branch : result.branches)
+  {
+    for (const bool isLast : { false, true })
+    {
+      Index& node = branch.nodes[isLast];
+      if (node == None)
+      {
+        continue;
+      }
+      const bool isAtPlate = node == AtPlate;
+      const Index known = isAtPlate ? None : numberOf[node];
+      const Index number = known == None ? count(result.nodes) : known;
+      const double radius = isLast ? branch.radii.back() : branch.radii.front();
+      if (known == None)
+      {
+        const Point& place = isLast ? branch.points.back() : branch.points.front();
+        result.nodes.push_back({ place, radius, 0, isAtPlate });
+      }
+      if (!isAtPlate)
+      {
+        numberOf[node] = number;
+      }
+      node = number;
+      CentrelineNode& here = result.nodes[number];
+      ++here.degree;
+      here.radius += (radius - here.radius) / here.degree; // the mean
+    }
+  }
+  for (Centreline& branch : result.branches)
+  {
+    if (branch.nodes[0] != None)
+    {
+      branch.radii.front() = result.nodes[branch.nodes[0]].radius;
+      branch.radii.back() = result.nodes[branch.nodes[1]].radius;
+    }
+  }
+  return result;
+}
+}
+
+Centrelines centrelines(
+  const MedialAxis& axis, const CentrelineOptions& options, const Execution& execution)
+{
+  check(axis, options);
+  const std::vector<double> times = burnTimes(axis);
+  const CurveSkeleton skeleton = curveSkeleton(axis, times, execution.between(0, 0.5));
+  const std::vector<Edge> edges =
+    withoutTwigs(axis, times, skeleton.edges, execution.between(0.5, 0.6));
+  std::vector<Centreline> curves = wholeCurves(axis, times, edges, execution.between(0.6, 1));
+  if (options.widthRatio > 0)
+  {
+    curves = cutAtPlates(curves, count(axis.points), options.widthRatio);
+  }
+  Centrelines result = numbered(std::move(curves), count(axis.points));
+  result.openedVoids = skeleton.openedVoids;
+  execution.report(1);
+  return result;
+}
+}

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipelines.h"
+
+#include "Axis/Erosion.h"
+#include "Measuring/Centrelines.h"
+#include "Rods.h"
+
+#include <cmath>
+#include <limits>
+
+using complexes::Drawing;
+using medial::Centreline;
+using medial::CentrelineNode;
+using medial::CentrelineOptions;
+using medial::Centrelines;
+using medial::Index;
+using medial::MedialAxis;
+using medial::None;
+using medial::Point;
+using pipelines::forEachShape;
+using pipelines::Pipeline;
+using rods::Rod;
+
+namespace
+{
+const CentrelineOptions everywhere{ 0 };
+
+MedialAxis axisOfSamples(const std::vector<Point>& samples)
+{
+  return medial::medialAxis(medial::polarBalls(samples));
+}
+
+Centrelines linesOf(const std::vector<Point>& samples)
+{
+  return medial::centrelines(axisOfSamples(samples));
+}
+
+double lengthOf(const Centreline& branch)
+{
+  return medial::lengths(branch.points).back();
+}
+
+/// A drawing's axis with its fire.
+MedialAxis burnt(const Drawing& drawing)
+{
+  MedialAxis axis = drawing.axis();
+  axis.erosion = medial::erosion(axis).ofPoint;
+  return axis;
+}
+
+/// Pieces and loops of the graph of branches and nodes; loops without nodes have one of each.
+medial::Betti bettiOf(const Centrelines& lines)
+{
+  validators::Complex graph;
+  const Index nodes = medial::count(lines.nodes);
+  for (Index i = 0; i < medial::count(lines.branches); ++i)
+  {
+    // Two points of its own, so that it is no edge twice.
+    const auto [a, b] = lines.branches[i].nodes;
+    const Index c = nodes + 3 * i, first = a == None ? c + 2 : a, last = a == None ? c + 2 : b;
+    graph.edges.insert(graph.edges.end(), { { first, c }, { c, c + 1 }, { c + 1, last } });
+  }
+  return validators::bettiNumbers(graph);
+}
+
+/// Nodes are where branches end, and know how many do.
+void expectConsistent(const Centrelines& lines)
+{
+  std::vector<Index> degrees(lines.nodes.size(), 0);
+  for (const Centreline& branch : lines.branches)
+  {
+    ASSERT_GE(branch.points.size(), 2u);
+    ASSERT_EQ(branch.points.size(), branch.radii.size());
+    ASSERT_EQ(branch.points.size(), branch.halfWidths.size());
+    const auto [first, last] = branch.nodes;
+    if (first == None)
+    {
+      EXPECT_EQ(last, None);
+      EXPECT_EQ(branch.points.front(), branch.points.back());
+      continue;
+    }
+    ++degrees[first], ++degrees[last];
+    EXPECT_EQ(branch.points.front(), lines.nodes[first].point);
+    EXPECT_EQ(branch.points.back(), lines.nodes[last].point);
+    EXPECT_EQ(branch.radii.front(), lines.nodes[first].radius);
+    EXPECT_EQ(branch.radii.back(), lines.nodes[last].radius);
+  }
+  for (std::size_t i = 0; i < degrees.size(); ++i)
+  {
+    EXPECT_EQ(degrees[i], lines.nodes[i].degree);
+  }
+}
+
+std::string bytesOf(const Centrelines& lines)
+{
+  pipelines::Bytes bytes;
+  for (const Centreline& branch : lines.branches)
+  {
+    bytes.add(branch.points).add(branch.radii).add(branch.halfWidths);
+    bytes.add(branch.nodes[0]).add(branch.nodes[1]);
+  }
+  for (const CentrelineNode& node : lines.nodes)
+  {
+    bytes.add(node.point).add(node.radius).add(node.degree).add(node.isAtPlate);
+  }
+  return bytes.add(lines.openedVoids).text;
+}
+
+/// How many branches and nodes there are.
+std::vector<std::size_t> countsOf(const Centrelines& lines)
+{
+  return { lines.branches.size(), lines.nodes.size() };
+}
+
+/// All in radii.
+struct Miss
+{
+  double middle, radius;
+  double radiusOutsideForks; ///< farther than a radius from them
+};
+
+/// How far lines are at most from the middle of rods, and their radii from those of the rods.
+Miss miss(const Centrelines& lines, const std::vector<Rod>& all)
+{
+  Miss worst{ 0, 0, 0 };
+  for (const Centreline& branch : lines.branches)
+  {
+    for (std::size_t i = 0; i < branch.points.size(); ++i)
+    {
+      const Point& x = branch.points[i];
+      const auto distance = [&x](const Rod& rod) { return (x - rod.at(rod.nearest(x))).norm(); };
+      const Rod& rod = *std::min_element(all.begin(), all.end(),
+        [&](const Rod& a, const Rod& b) { return distance(a) < distance(b); });
+      const double radius = rod.radiusAt(rod.nearest(x));
+      worst.middle = std::max(worst.middle, distance(rod) / radius);
+      const double radiusMiss = std::abs(branch.radii[i] / radius - 1);
+      worst.radius = std::max(worst.radius, radiusMiss);
+      const bool isInFork =
+        std::any_of(lines.nodes.begin(), lines.nodes.end(), [&](const CentrelineNode& node) {
+          return node.degree > 2 && (x - node.point).norm() <= node.radius;
+        });
+      worst.radiusOutsideForks = std::max(worst.radiusOutsideForks, isInFork ? 0 : radiusMiss);
+    }
+  }
+  return worst;
+}
+}
+
+TEST(Centrelines, OfAVesselTreeAreItsVessels)
+{
+  const rods::Frame tree = rods::vesselTree();
+  for (const unsigned seed : { 1u, 2u, 3u })
+  {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Centrelines lines = linesOf(rods::samples(tree.rods(), 0.08, seed));
+    expectConsistent(lines);
+    EXPECT_EQ(countsOf(lines), (std::vector<std::size_t>{ 8, 8 }));
+    EXPECT_EQ(bettiOf(lines), (medial::Betti{ 1, 1, 0 }));
+    const Miss worst = miss(lines, tree.rods());
+    EXPECT_LT(worst.middle, 0.04);
+    EXPECT_LT(worst.radius, 0.1);
+    EXPECT_LT(worst.radiusOutsideForks, 0.04);
+    double length = 0, expected = 0;
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      length += lengthOf(lines.branches[i]);
+      expected += tree.rods()[i].length();
+    }
+    EXPECT_NEAR(length / expected, 1, 0.005);
+  }
+}
+
+TEST(Centrelines, OfASpringIsOneOfItsLength)
+{
+  const Centrelines lines = linesOf(rods::spring(4, 0.12, 0.15, 0.055, 1));
+  expectConsistent(lines);
+  EXPECT_EQ(countsOf(lines), (std::vector<std::size_t>{ 1, 2 }));
+  EXPECT_NEAR(lengthOf(lines.branches[0]) / (8 * rods::pi * std::sqrt(1 + 0.12 * 0.12)), 1, 0.005);
+  for (const double radius : lines.branches[0].radii)
+  {
+    EXPECT_NEAR(radius / 0.15, 1, 0.03);
+  }
+}
+
+TEST(Centrelines, OfARingCloses)
+{
+  const Centrelines lines = medial::centrelines(pipelines::of("torus").axis());
+  expectConsistent(lines);
+  EXPECT_EQ(countsOf(lines), (std::vector<std::size_t>{ 1, 0 }));
+  EXPECT_NEAR(lengthOf(lines.branches[0]) / (4 * rods::pi), 1, 0.005);
+  for (const Point& point : lines.branches[0].points)
+  {
+    EXPECT_NEAR(point.head<2>().norm(), 2, 0.01);
+    EXPECT_NEAR(point.z(), 0, 0.01);
+  }
+}
+
+TEST(Centrelines, OfFramesAreTheirEdges)
+{
+  for (const rods::Frame& frame : { rods::cubeFrame(), rods::tetrahedronFrame() })
+  {
+    SCOPED_TRACE(testing::Message() << frame.edges.size() << " edges, seed 1");
+    const Centrelines lines = linesOf(rods::samples(frame.rods(), 0.07, 1));
+    expectConsistent(lines);
+    EXPECT_EQ(
+      countsOf(lines), (std::vector<std::size_t>{ frame.edges.size(), frame.nodes.size() }));
+    EXPECT_LT(miss(lines, frame.rods()).middle, 0.1);
+  }
+}
+
+TEST(Centrelines, EndInTheMiddleWhereARodIsCutOff)
+{
+  const Centrelines lines = linesOf(rods::cylinder(0.15, 1));
+  ASSERT_EQ(countsOf(lines), (std::vector<std::size_t>{ 1, 2 }));
+  for (const CentrelineNode& node : lines.nodes)
+  {
+    EXPECT_NEAR(node.point.head<2>().norm(), 0, 0.05);
+    EXPECT_NEAR(std::abs(node.point.z()), 1, 0.05);
+  }
+}
+
+TEST(Centrelines, AreOfRodsAlone)
+{
+  const auto lengthAtWidth = [](double width) {
+    double result = 0;
+    for (const Centreline& branch : linesOf(rods::ellipticRod(width, 0.4, 0.1, 1)).branches)
+    {
+      result += lengthOf(branch);
+    }
+    return result;
+  };
+  EXPECT_NEAR(lengthAtWidth(0.5), 6, 0.6);
+  EXPECT_EQ(lengthAtWidth(0.8), 0);
+  EXPECT_EQ(medial::centrelines(pipelines::of("ellipsoid").axis()).branches.size(), 0u);
+}
+
+TEST(Centrelines, EndWhereAPlateBegins)
+{
+  // A plate with a handle.
+  Drawing drawing;
+  drawing.sheet(Point(-20, -10, 0), Point(1, 0, 0), Point(0, 1, 0), 20, 20);
+  for (int i = 0; i < 30; ++i)
+  {
+    const Index from = drawing.point(i, 0, 0);
+    drawing.edge(from, drawing.point(i + 1, 0, 0));
+  }
+  const Centrelines lines = medial::centrelines(burnt(drawing));
+  expectConsistent(lines);
+  ASSERT_EQ(countsOf(lines), (std::vector<std::size_t>{ 1, 2 }));
+  EXPECT_NEAR(lengthOf(lines.branches[0]), 30, 2);
+  EXPECT_EQ(lines.nodes[0].isAtPlate + lines.nodes[1].isAtPlate, 1);
+}
+
+TEST(Centrelines, KeepPiecesAndLoops)
+{
+  forEachShape([](Pipeline& pipeline) {
+    const MedialAxis& axis = pipeline.axis();
+    const Centrelines lines = medial::centrelines(axis, everywhere);
+    expectConsistent(lines);
+    const auto points = static_cast<Index>(axis.cells.vertices.size()); // pieces without a line
+    EXPECT_EQ(bettiOf(lines), (medial::Betti{ axis.betti[0] - points, axis.betti[1], 0 }));
+    EXPECT_EQ(lines.openedVoids, axis.betti[2]);
+  });
+}
+
+TEST(Centrelines, KeepPiecesAndLoopsOfDrawings)
+{
+  for (const Drawing& drawing :
+    { complexes::cycleWithLoop(), complexes::cycleWithoutLoop(), complexes::bandWithFin(),
+      complexes::fourNodesAndSixParts(), complexes::boxAxis(), complexes::closedSheet(3) })
+  {
+    const MedialAxis axis = burnt(drawing);
+    const Centrelines lines = medial::centrelines(axis, everywhere);
+    EXPECT_EQ(bettiOf(lines), (medial::Betti{ axis.betti[0], axis.betti[1], 0 }));
+    EXPECT_EQ(lines.openedVoids, axis.betti[2]);
+  }
+}
+
+TEST(Centrelines, AreTheSameOfMovedAndMirroredSamples)
+{
+  const std::vector<Point> samples = rods::samples(rods::vesselTree().rods(), 0.1, 4);
+  std::vector<Point> mirrored = samples;
+  for (Point& point : mirrored)
+  {
+    point.x() = -point.x();
+  }
+  const auto counts = countsOf(linesOf(samples));
+  EXPECT_EQ(countsOf(linesOf(mirrored)), counts);
+  EXPECT_EQ(countsOf(linesOf(shapes::rotated(samples, 5))), counts);
+  EXPECT_EQ(countsOf(linesOf(shapes::scaled(samples, 1e-4))), counts);
+  EXPECT_EQ(countsOf(linesOf(shapes::moved(samples, Point(50, -70, 9)))), counts);
+}
+
+TEST(Centrelines, DontDependOnThreads)
+{
+  const MedialAxis& axis = pipelines::of("two-hole plate").axis();
+  EXPECT_EQ(bytesOf(medial::centrelines(axis, everywhere)),
+    bytesOf(medial::centrelines(axis, everywhere, pipelines::threaded())));
+}
+
+TEST(Centrelines, ReportProgressAndStop)
+{
+  pipelines::expectProgressAndAbort([](const medial::Execution& execution) {
+    medial::centrelines(pipelines::of("knot").axis(), {}, execution);
+  });
+}
+
+TEST(Centrelines, RefuseWhatTheyCantUse)
+{
+  MedialAxis axis = pipelines::of("torus").axis();
+  for (const double ratio : { -1.0, std::numeric_limits<double>::quiet_NaN() })
+  {
+    EXPECT_THROW(medial::centrelines(axis, { ratio }), medial::InvalidInput);
+  }
+  axis.erosion.clear();
+  EXPECT_THROW(medial::centrelines(axis), medial::InvalidInput);
+}
+
+TEST(Centrelines, OfNothingAreNone)
+{
+  EXPECT_TRUE(medial::centrelines(Drawing().axis()).branches.empty());
+  Drawing drawing;
+  drawing.vertex(drawing.point(0, 0, 0));
+  EXPECT_TRUE(medial::centrelines(drawing.axis()).branches.empty());
+}
