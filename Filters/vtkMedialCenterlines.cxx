@@ -32,7 +32,8 @@ int vtkMedialCenterlines::RequestData(
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::MedialAxis axis = medial::readMedialAxis(input);
-      medial::write(medial::centrelines(axis, { this->WidthRatio }, execution), output, nodes);
+      medial::write(
+        medial::centrelines(axis, { this->WidthRatio }, execution), input, output, nodes);
     });
 }
 

@@ -42,11 +42,11 @@
  * ends within a diameter of a fork; forks so near to each other become one. A rod that is cut off straight has
  * its line end one radius before the cut, as its axis does.
  *
- * How exact: outside forks, lines are in the middle and radii right to about a hundredth of the radius; in
- * forks, where rods are continued straight, to about a twentieth, single points to a tenth.
+ * How exact: lines are in the middle and radii right to about a hundredth of the radius; within two radii of a fork, where rods are
+ * continued straight, to about a twentieth, single points to a tenth.
  *
- * An error (an array that is missing or does not fit) leaves the outputs empty and sets the error code.
- * Under MPI the piece 0 holds everything.
+ * The field data of the axis is passed on to output 0, but not that of its balls. An error (an array that is missing or does not fit)
+ * leaves the outputs empty and sets the error code. Under MPI the piece 0 holds everything.
  *
  * @sa vtkMedialAxis vtkMedialPrune
  */

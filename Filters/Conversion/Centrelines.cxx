@@ -98,8 +98,13 @@ void addBranches(const std::vector<Centreline>& branches, vtkCellData* cells)
 }
 }
 
-void write(const Centrelines& lines, vtkPolyData* output, vtkPolyData* nodes)
+void write(const Centrelines& lines, vtkPolyData* axis, vtkPolyData* output, vtkPolyData* nodes)
 {
+  output->GetFieldData()->PassData(axis->GetFieldData());
+  for (const char* ofBalls : { names::BallOwner, names::BallVolume, names::BallPoleVolume })
+  {
+    output->GetFieldData()->RemoveArray(ofBalls);
+  }
   const Polylines all = polylines(lines);
   output->SetPoints(points(all.points));
   output->SetLines(cellArray(all.lines));

@@ -10,7 +10,8 @@ namespace medial
 {
 /// A polyline for each branch, and its nodes as vertices. Point i of the polylines is node i, the others
 /// follow.
-void write(const Centrelines& lines, vtkPolyData* output, vtkPolyData* nodes);
+/// @param axis  its field data is passed on, but not that of its balls
+void write(const Centrelines& lines, vtkPolyData* axis, vtkPolyData* output, vtkPolyData* nodes);
 }
 
 #endif

@@ -205,6 +205,7 @@ Pipeline::Pipeline(vtkDataObject* samples)
   this->thickness->SetPlacesConnection(this->crust->GetOutputPort());
   this->thickness->SetAxisConnection(this->parts->GetOutputPort());
   this->elements->SetInputConnection(this->prune->GetOutputPort());
+  this->curves->SetInputConnection(this->prune->GetOutputPort());
 }
 
 Pipeline& boxPipeline()
@@ -213,6 +214,7 @@ Pipeline& boxPipeline()
   pipeline.morphometry->Update();
   pipeline.thickness->Update();
   pipeline.elements->Update();
+  pipeline.curves->Update();
   return pipeline;
 }
 

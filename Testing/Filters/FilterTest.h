@@ -7,6 +7,7 @@
 
 #include "vtkLocalThickness.h"
 #include "vtkMedialAxis.h"
+#include "vtkMedialCenterlines.h"
 #include "vtkMedialPartDecomposition.h"
 #include "vtkMedialPrune.h"
 #include "vtkMorphometry.h"
@@ -55,6 +56,7 @@ struct Pipeline
   vtkNew<vtkMorphometry> morphometry;
   vtkNew<vtkLocalThickness> thickness;
   vtkNew<vtkPlatesAndRods> elements;
+  vtkNew<vtkMedialCenterlines> curves;
 };
 
 /// The pipeline of the small box, updated, the same for all tests of a program.

@@ -42,6 +42,7 @@ inline const Stage stages[] = {
   { "LocalThickness", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.thickness; }, 0 },
   { "LocalThicknessOfAxis", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.thickness; }, 2 },
   { "PlatesAndRods", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.elements; }, 0 },
+  { "MedialCenterlines", [](auto& pipeline) -> vtkAlgorithm* { return pipeline.curves; }, 0 },
 };
 
 /// A filter as in the pipeline of the small box, with copies of its inputs in place of filters.
