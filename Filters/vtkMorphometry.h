@@ -35,7 +35,7 @@
  * A solid that is cut already, as a cube of bone, has faces where it was cut: take a Margin that leaves
  * them out.
  *
- * A warning `coarse_for_thickness` tells where samples are more than 0.12 of the mean thickness apart.
+ * A warning `coarse_for_thickness` tells where samples are more than 0.28 of the mean thickness apart.
  *
  * An error (an array that is missing or does not fit, axis or surface of other balls, a volume of interest of
  * which nothing is left) leaves the output empty and sets the error code. Under MPI the piece 0 holds everything.

@@ -196,6 +196,20 @@ class Batch(unittest.TestCase):
         exec(script, {})
         self.assertEqual(volume(pv.FindSource("crust")), expected)
 
+    def test_measures(self):
+        thickness = filters.LocalThickness(Input=self.chain.balls, Places=self.chain.crust, Axis=self.chain.axis)
+        means = servermanager.Fetch(thickness, idx=1)
+        self.assertEqual(means.GetNumberOfRows(), 5)
+        self.assertTrue(0.6 < column(means, "Mean")[0] < 1.1)  # the box is 3 x 2 x 1
+        elements = filters.PlatesAndRods(Input=self.chain.prune, Surface=self.chain.crust)
+        self.assertGreater(servermanager.Fetch(elements, idx=1).GetNumberOfRows(), 0)
+        self.assertTrue(servermanager.Fetch(elements, idx=2).GetCellData().HasArray("PlateOrRod"))
+        lines = servermanager.Fetch(filters.MedialCenterlines(Input=self.chain.prune))
+        self.assertTrue(lines.GetCellData().HasArray("BranchId"))
+        row = servermanager.Fetch(filters.Morphometry(
+            Input=self.chain.balls, Axis=self.chain.prune, Surface=self.chain.crust))
+        self.assertAlmostEqual(column(row, "BV")[0], 6, delta=0.5)
+
     def test_saves_and_opens_medial_meshes(self):
         path, again = (os.path.join(os.getcwd(), name) for name in ("axis.ma", "again.ma"))
         pv.SaveData(path, proxy=self.chain.axis)

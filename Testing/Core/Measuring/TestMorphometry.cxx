@@ -188,10 +188,11 @@ TEST(Morphometry, SaysTheUnit)
 TEST(Morphometry, WarnsOfCoarseSamples)
 {
   MorphometryIngredients plate = complete();
+  plate.spacing = 0.3 * plate.thickness;
   const medial::Warnings warnings = medial::morphometryWarnings(plate);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings.front().code, "coarse_for_thickness");
   EXPECT_FALSE(warnings.front().doubtsSolid);
-  plate.spacing = 0.05;
+  plate.spacing = 0.25 * plate.thickness;
   EXPECT_TRUE(medial::morphometryWarnings(plate).empty());
 }
