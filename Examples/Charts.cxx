@@ -109,7 +109,7 @@ std::string picture(
 
 std::string legend(const std::string& id, double top, const ChartLabels& labels)
 {
-  constexpr double left = 20, right = 460, height = 16;
+  constexpr double left = 16, right = 324, height = 14;
   constexpr int stops = 20;
   std::string colours;
   for (int i = 0; i <= stops; ++i)
@@ -120,14 +120,14 @@ std::string legend(const std::string& id, double top, const ChartLabels& labels)
   }
   std::string content = element("defs", element("linearGradient id=\"" + id + '"', colours)) +
     '\n' + rectangle(left, 4, right - left, height, "url(#" + id + ")") + '\n';
-  for (const Tick& tick : ticks(top, 6))
+  for (const Tick& tick : ticks(top, 5))
   {
     const double x = left + (right - left) * tick.value / top;
     content += line(x, 4 + height, x, 9 + height, "axis") +
       text(x, 25 + height, "middle", tick.label) + '\n';
   }
   content += text((left + right) / 2, 44 + height, "middle", withUnit(labels)) + '\n';
-  return picture(480, 64,
+  return picture(340, 62,
     "Legend: " + withUnit(labels) + " from dark blue at 0 over green to yellow at " + rounded(top),
     content);
 }
@@ -140,7 +140,7 @@ std::string histogram(const std::vector<double>& counts, double largest, double 
   const auto x = [&](double value) { return Left + (Right - Left) * value / largest; };
   const auto y = [&](double percent) { return Bottom - (Bottom - Top) * percent / highest; };
   std::string content;
-  for (const Tick& tick : ticks(highest, 4))
+  for (const Tick& tick : ticks(highest, 5))
   {
     content += line(Left, y(tick.value), Right, y(tick.value), "grid") +
       text(Left - 6, y(tick.value) + 5, "end", tick.label + '%') + '\n';

@@ -77,27 +77,41 @@ std::string escaped(const std::string& text)
   return result;
 }
 
-std::string rounded(double value)
+std::string rounded(double value, double scale)
 {
   if (!std::isfinite(value))
   {
     return "&ndash;";
   }
-  const double size = std::abs(value);
+  const double size = std::abs(scale);
   std::ostringstream out;
-  if (size != 0 && (size < 1e-4 || size >= 1e9))
+  if (!(size >= 1e-4 && size < 1e9) && value != 0)
   {
     out << std::setprecision(4) << value;
     return out.str();
   }
-  const int digits = size == 0 ? 0 : 3 - static_cast<int>(std::floor(std::log10(size)));
+  const int digits = size > 0 ? 3 - static_cast<int>(std::floor(std::log10(size))) : 0;
+  if (digits < 0 && value > 0)
+  {
+    return grouped(std::round(value));
+  }
   out << std::fixed << std::setprecision(std::max(digits, 0)) << value;
   return out.str();
 }
 
+std::string measure(double value, double scale)
+{
+  return data(value, rounded(value, scale));
+}
+
+std::string rounded(double value)
+{
+  return rounded(value, value);
+}
+
 std::string measure(double value)
 {
-  return data(value, rounded(value));
+  return measure(value, value);
 }
 
 std::string countOf(double value)

@@ -11,10 +11,15 @@
 /// question marks.
 std::string escaped(const std::string& text);
 
-/// Four digits of a number; all digits before the point; a dash if it is not finite.
-std::string rounded(double value);
+/// A number to the fourth digit of `scale`, with all digits before the point; a dash if it is not finite.
+std::string rounded(double value, double scale);
 
-/// Four digits for the reader, and the exact number for programs: <data value="...">.
+/// The same for the reader, and the exact number for programs: <data value="...">.
+/// @param scale  the largest number of a column, so that its numbers end at the same digit
+std::string measure(double value, double scale);
+
+/// With its own four digits.
+std::string rounded(double value);
 std::string measure(double value);
 
 /// The same of a whole number, with commas: 1,500.

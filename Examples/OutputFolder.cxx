@@ -244,8 +244,8 @@ fs::path OutputFolder::draft()
 
 fs::path OutputFolder::scratch()
 {
-  const signals::Shield shield;
   const fs::path result = this->draft().parent_path() / "scratch";
+  const signals::Shield shield; // not twice: draft() has one of its own
   std::error_code error;
   fs::create_directory(result, error);
   if (error)

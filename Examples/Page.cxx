@@ -17,11 +17,14 @@
 #include <vtkMedialAxis.h>
 #include <vtkMedialPartDecomposition.h>
 #include <vtkMedialPrune.h>
+#include <vtkPointData.h>
 #include <vtkPowerCrust.h>
 #include <vtkSimplifyShape.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace
@@ -50,7 +53,7 @@ std::string list(const std::vector<std::string>& items)
 
 std::string warningItem(const Warning& warning)
 {
-  std::string text = escaped(warning.text);
+  std::string text = element("code", escaped(warning.code)) + ": " + escaped(warning.text);
   if (warning.place)
   {
     const auto [x, y, z] = *warning.place;
@@ -75,10 +78,7 @@ std::string verdict(vtkSimplifyShape* simplify)
   {
     std::transform(
       verdict.reasons.begin(), verdict.reasons.end(), std::back_inserter(items), escaped);
-    content +=
-      paragraph(
-        "Look at these places before you use the numbers. This speaks against the result:") +
-      list(items);
+    content += paragraph("Check the following before you rely on the numbers:") + list(items);
   }
   items.clear();
   const std::vector<Warning> warnings = warningsOf(simplify->GetOutput());
@@ -114,6 +114,20 @@ double numberOfParts(vtkAlgorithm* stage)
   return fieldValue(stage->GetOutputDataObject(0), "NumberOfParts");
 }
 
+/// What grey means, where there is some.
+std::string greyNote(vtkPolyData* surface)
+{
+  vtkDataArray* values = surface->GetPointData()->GetArray("Thickness");
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    if (std::isnan(values->GetComponent(i, 0)))
+    {
+      return "; grey where no ball reaches, at sharp edges";
+    }
+  }
+  return "";
+}
+
 std::string pictures(vtkSimplifyShape* simplify, const ThicknessMap& map, const PagePictures& drawn,
   const std::string& unit)
 {
@@ -125,8 +139,9 @@ std::string pictures(vtkSimplifyShape* simplify, const ThicknessMap& map, const 
   }
   const ChartLabels labels = { "Thickness", unit, "" };
   const std::string parts = countOf(numberOfParts(simplify->GetMedialPrune()));
-  const std::string content = figure(drawn.surface, "The simplified surface, coloured by thickness",
-                                "Simplified surface", legend("scale-surface", map.top(), labels)) +
+  const std::string content =
+    figure(drawn.surface, "The simplified surface, coloured by thickness",
+      "Simplified surface" + greyNote(map.surface), legend("scale-surface", map.top(), labels)) +
     figure(drawn.axis, "The medial axis, coloured by thickness", "Medial axis, after pruning",
       legend("scale-axis", map.top(), labels)) +
     figure(drawn.parts, "The parts of the medial axis in a colour each",
@@ -136,8 +151,9 @@ std::string pictures(vtkSimplifyShape* simplify, const ThicknessMap& map, const 
 
 std::string meanRow(const std::string& name, const VolumeMean& values)
 {
-  return tableRow({ name, measure(values.mean), measure(values.deviation), measure(values.smallest),
-    measure(values.largest), countOf(values.number) });
+  const auto cell = [&](double value) { return measure(value, values.largest); };
+  return tableRow({ name, cell(values.mean), cell(values.deviation), cell(values.smallest),
+    cell(values.largest), countOf(values.number) });
 }
 
 std::string histogramFigure(
@@ -181,18 +197,24 @@ std::string thinPlaces(vtkTable* places)
   if (count == 0)
   {
     return section("Thinnest places",
-      paragraph("No wall or strut is thinner at a place than around it, by a tenth or more."));
+      paragraph("None was found: no wall or strut is a tenth thinner at a place than around it."));
   }
   auto* at = vtkDataArray::SafeDownCast(places->GetColumnByName("Place"));
+  const double thickest = places->GetValueByName(shown - 1, "Thickness").ToDouble();
+  double farthest = 0;
+  for (vtkIdType i = 0; i < 3 * shown; ++i)
+  {
+    farthest = std::max(farthest, std::abs(at->GetComponent(i / 3, static_cast<int>(i % 3))));
+  }
   std::vector<std::string> rows;
   for (vtkIdType row = 0; row < shown; ++row)
   {
     const auto value = [&](const char* column) {
       return places->GetValueByName(row, column).ToDouble();
     };
-    rows.push_back(tableRow({ std::to_string(row + 1), measure(value("Thickness")),
-      measure(at->GetComponent(row, 0)), measure(at->GetComponent(row, 1)),
-      measure(at->GetComponent(row, 2)), countOf(value("PartId")) }));
+    rows.push_back(tableRow({ std::to_string(row + 1), measure(value("Thickness"), thickest),
+      measure(at->GetComponent(row, 0), farthest), measure(at->GetComponent(row, 1), farthest),
+      measure(at->GetComponent(row, 2), farthest), countOf(value("PartId")) }));
   }
   const std::string which = shown < count
     ? "The thinnest " + countOf(double(shown)) + " of " + countOf(double(count)) + " places"
@@ -251,7 +273,9 @@ std::string page(vtkSimplifyShape* simplify, const ThicknessMap& map, const Page
   const PageHead& head)
 {
   const std::string name = escaped(head.name);
-  const std::string unit = head.unit.empty() ? "the unit of the input" : escaped(head.unit);
+  const std::string units = head.unit.empty()
+    ? "Lengths are in the unit of the input, volumes in that unit cubed."
+    : "Lengths are in " + escaped(head.unit) + ", volumes in " + escaped(head.unit) + "&sup3;.";
   const std::string opening =
     "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
@@ -259,8 +283,7 @@ std::string page(vtkSimplifyShape* simplify, const ThicknessMap& map, const Page
     "\n</head>\n<body>\n";
   const std::string header = element("header",
     '\n' + element("h1", name) + '\n' +
-      paragraph("Medial axis and thickness of this solid, made by SimplifyShape. Lengths are in " +
-        unit + ", volumes in its cube."));
+      paragraph("Medial axis and thickness of this solid, made by SimplifyShape. " + units));
   const std::string footer = element("footer",
     '\n' +
       paragraph("Beside this page: <code>thickness.vtp</code>, the surface with its thickness, "
