@@ -180,7 +180,7 @@ std::string thickness(const ThicknessMap& map, const std::string& unit)
               "separation that of the largest ball outside. Both are measured at points spread "
               "evenly over the volume "
               "of the solid before pruning, and over the gaps within its bounding box.") +
-      htmlTable("", { "", "mean", "standard deviation", "smallest", "largest", "points" },
+      htmlTable("", { "", "mean", "deviation", "smallest", "largest", "points" },
         { meanRow("Thickness", inside), meanRow("Separation", outside) }) +
       element("div class=\"side\"",
         '\n' +
