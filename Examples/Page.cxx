@@ -17,6 +17,7 @@
 #include <vtkMedialAxis.h>
 #include <vtkMedialPartDecomposition.h>
 #include <vtkMedialPrune.h>
+#include <vtkMorphometry.h>
 #include <vtkPointData.h>
 #include <vtkPowerCrust.h>
 #include <vtkSimplifyShape.h>
@@ -227,6 +228,33 @@ std::string thinPlaces(vtkTable* places)
       htmlTable("", { "", "thickness", "x", "y", "z", "part" }, rows));
 }
 
+/// The quantities of the standard, where they were asked for.
+std::string morphometry(vtkTable* row, const std::string& unit)
+{
+  if (!row)
+  {
+    return "";
+  }
+  std::vector<std::string> rows;
+  for (int i = 0; vtkMorphometry::GetQuantityName(i); ++i)
+  {
+    const char* name = vtkMorphometry::GetQuantityName(i);
+    rows.push_back(
+      tableRow({ element("abbr title=\"" + escaped(vtkMorphometry::GetQuantityDescription(i)) + '"',
+                   escaped(name)),
+        measure(row->GetValueByName(0, name).ToDouble()),
+        escaped(vtkMorphometry::GetQuantityUnit(i, unit.c_str())) }));
+  }
+  std::vector<std::string> items;
+  const std::vector<Warning> warnings = warningsOf(row);
+  std::transform(warnings.begin(), warnings.end(), std::back_inserter(items), warningItem);
+  return section("Morphometry",
+    paragraph(
+      "Of the simplified solid, with the names of bone morphometry (Bouxsein et al. 2010).") +
+      htmlTable("", { "quantity", "value", "unit" }, rows) +
+      (items.empty() ? "" : element("h3", "Warnings") + '\n' + list(items)));
+}
+
 /// A row of Betti numbers; nothing where the stage has none.
 std::string bettiRow(const std::string& stage, vtkDataObject* output, const char* array)
 {
@@ -294,6 +322,7 @@ std::string page(vtkSimplifyShape* simplify, const ThicknessMap& map, const Page
     element("main",
       '\n' + verdict(simplify) + pictures(simplify, map, drawn, head.unit) +
         thickness(map, head.unit) + thinPlaces(map.thinPlaces) +
+        morphometry(head.morphometry, head.unit) +
         section("What was measured",
           element("div class=\"side\"", '\n' + sizes(simplify) + topology(simplify)) + '\n')) +
     '\n' + footer + "\n</body>\n</html>\n";

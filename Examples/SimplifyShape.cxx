@@ -235,15 +235,15 @@ ExitCode simplify(const Arguments& arguments)
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() -
     results.seconds();
   results.writeRest();
-  if (page)
-  {
-    page->write(filter, { nameOf(arguments.input), arguments.unit }, progress, folder);
-  }
   vtkSmartPointer<vtkTable> row;
   if (arguments.morphometry)
   {
     row = morphometryOf(filter, arguments);
     folder.writeText(csv(row), "morphometry.csv");
+  }
+  if (page)
+  {
+    page->write(filter, { nameOf(arguments.input), arguments.unit, row }, progress, folder);
   }
   folder.writeText(report(filter, input, row, progress, total), "report.json");
   folder.publish(OutputFolder::Replaced);

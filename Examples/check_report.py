@@ -46,7 +46,7 @@ class Page(html.parser.HTMLParser):
 
     def handle_data(self, data):
         self.text += data
-        if self.open and self.open[-1] in ("td", "th"):
+        if self.open and self.open[-1] in ("td", "th", "abbr"):
             self.rows[-1][-1] += data
 
     def row(self, name):
@@ -121,6 +121,36 @@ class ReportPage(ProgramTest):
         self.assertEqual([svg["aria-label"].split(":")[0] for svg in page.all("svg")],
                          ["Histogram of the Thickness", "Histogram of the Separation"])
         self.assertIn("no pictures", done.stderr)
+
+    def test_unit_and_morphometry_are_on_the_page(self):
+        points = self.write_xyz(ellipsoid(800))
+        page, _, _ = self.page(points, "--unit", "<mm>", environment=self.blind())
+        self.assertIn("Lengths are in <mm>, volumes in <mm>\u00b3.", page.text)
+        self.assertIn("Thickness (<mm>)", page.text)
+        self.assertNotIn("Bouxsein", page.text)
+        page, report, _ = self.page(points, "--morphometry", "--unit", "mm", environment=self.blind())
+        self.assertIn("Bouxsein", page.text)
+        values, units = report["morphometry"]["values"], report["morphometry"]["units"]
+        self.assertGreater(len(values), 10)
+        for name, value in values.items():
+            self.assertEqual(page.row(name), ["\u2013" if value is None else value, units[name]], name)
+        for code in report["morphometry"]["warnings"]:
+            self.assertIn(code, page.text)
+
+    def test_cohort_has_a_page_for_each(self):
+        files = [self.write_xyz(ellipsoid(400), "a.xyz"), self.write_xyz(ellipsoid(500), "b.xyz")]
+        self.assert_fails_plainly("--output", "--cohort", self.path("t.csv"), "--report", *files)
+        done = self.run_program("--cohort", self.path("t.csv"), "--report", *files, "--output", self.path("out"),
+                                environment=self.blind())
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name in "ab":
+            with open(self.path("out/%s/report.html" % name)) as file:
+                self.assertIn(name + ".xyz", self.checked(file.read()).text)
+
+    def assert_fails_plainly(self, fragment, *arguments):
+        done = self.run_program(*arguments)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1))
+        self.assertIn(fragment, done.stderr)
 
     def test_page_tells_reasons_and_warnings(self):
         steps = 0.8191725134, 0.6710436067, 0.5497004779
