@@ -134,9 +134,8 @@ std::string pictures(vtkSimplifyShape* simplify, const ThicknessMap& map, const 
 {
   if (!drawn.missing.empty())
   {
-    return section("Pictures",
-      element("p class=\"no-pictures\"", "There are no pictures: " + escaped(drawn.missing) + '.') +
-        '\n');
+    return section(
+      "Pictures", element("p", "There are no pictures: " + escaped(drawn.missing) + '.') + '\n');
   }
   const ChartLabels labels = { "Thickness", unit, "" };
   const std::string parts = countOf(numberOfParts(simplify->GetMedialPrune()));
@@ -228,6 +227,15 @@ std::string thinPlaces(vtkTable* places)
       htmlTable("", { "", "thickness", "x", "y", "z", "part" }, rows));
 }
 
+/// A unit like mm^-1 with its exponent raised.
+std::string raised(const std::string& unit)
+{
+  const std::size_t mark = unit.rfind('^');
+  return mark == std::string::npos
+    ? escaped(unit)
+    : escaped(unit.substr(0, mark)) + element("sup", escaped(unit.substr(mark + 1)));
+}
+
 /// The quantities of the standard, where they were asked for.
 std::string morphometry(vtkTable* row, const std::string& unit)
 {
@@ -239,11 +247,9 @@ std::string morphometry(vtkTable* row, const std::string& unit)
   for (int i = 0; vtkMorphometry::GetQuantityName(i); ++i)
   {
     const char* name = vtkMorphometry::GetQuantityName(i);
-    rows.push_back(
-      tableRow({ element("abbr title=\"" + escaped(vtkMorphometry::GetQuantityDescription(i)) + '"',
-                   escaped(name)),
-        measure(row->GetValueByName(0, name).ToDouble()),
-        escaped(vtkMorphometry::GetQuantityUnit(i, unit.c_str())) }));
+    rows.push_back(tableRow({ escaped(name), measure(row->GetValueByName(0, name).ToDouble()),
+      raised(vtkMorphometry::GetQuantityUnit(i, unit.c_str())),
+      element("span class=\"meaning\"", escaped(vtkMorphometry::GetQuantityDescription(i))) }));
   }
   std::vector<std::string> items;
   const std::vector<Warning> warnings = warningsOf(row);
@@ -251,7 +257,7 @@ std::string morphometry(vtkTable* row, const std::string& unit)
   return section("Morphometry",
     paragraph(
       "Of the simplified solid, with the names of bone morphometry (Bouxsein et al. 2010).") +
-      htmlTable("", { "quantity", "value", "unit" }, rows) +
+      htmlTable("", { "quantity", "value", "unit", "" }, rows) +
       (items.empty() ? "" : element("h3", "Warnings") + '\n' + list(items)));
 }
 

@@ -23,14 +23,20 @@ caption { text-align: left; font-weight: 600; padding-bottom: .25rem; }
 th, td { padding: .25rem .75rem .25rem 0; text-align: right; border-bottom: 1px solid #d1d5db; white-space: nowrap; }
 th:first-child { text-align: left; white-space: normal; }
 tbody th { font-weight: 400; }
-.note, footer { font-size: .9rem; color: #4b5563; }
+.meaning { display: block; min-width: 14rem; max-width: 30rem; white-space: normal; text-align: left; }
+footer { font-size: .9rem; color: #4b5563; }
 svg text { font: 15px system-ui, "Liberation Sans", Arial, sans-serif; fill: #1f2937; }
 svg .axis { stroke: #1f2937; }
 svg .grid { stroke: #d1d5db; }
 svg .mean { stroke: #1f2937; stroke-width: 2; stroke-dasharray: 5 4; }
+sup { line-height: 0; }
+@media (max-width: 30rem) {
+  th, td { padding-right: .4rem; }
+}
 @media print {
   body { font-size: 11pt; max-width: none; padding: 0; }
-  figure, table, .verdict { break-inside: avoid; }
+  figure, tr, .verdict, .side .table { break-inside: avoid; }
+  .side { grid-template-columns: repeat(auto-fit, minmax(13rem, 1fr)); }
   h2 { break-after: avoid; }
   .verdict, svg { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }

@@ -46,8 +46,8 @@ class Page(html.parser.HTMLParser):
 
     def handle_data(self, data):
         self.text += data
-        if self.open and self.open[-1] in ("td", "th", "abbr"):
-            self.rows[-1][-1] += data
+        if self.open and self.open[-1] in ("td", "th", "sup"):
+            self.rows[-1][-1] += "^" + data if self.open[-1] == "sup" else data
 
     def row(self, name):
         found, = [row for row in self.rows if row and row[0] == name]
@@ -133,7 +133,7 @@ class ReportPage(ProgramTest):
         values, units = report["morphometry"]["values"], report["morphometry"]["units"]
         self.assertGreater(len(values), 10)
         for name, value in values.items():
-            self.assertEqual(page.row(name), ["\u2013" if value is None else value, units[name]], name)
+            self.assertEqual(page.row(name), ["\u2013" if value is None else value, units[name], ""], name)
         for code in report["morphometry"]["warnings"]:
             self.assertIn(code, page.text)
 
