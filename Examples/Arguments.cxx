@@ -207,6 +207,11 @@ std::vector<Option> runOptions(Arguments& arguments)
       [&](const std::string& value) { arguments.threads = parseThreads(value); } },
     { "--picture", "", "also draws the stages; needs an X server (DISPLAY), see Examples/run",
       turnsOn(arguments.picture) },
+    { "--report", "",
+      "also measures thickness, and writes a page for a browser; it has pictures where an X "
+      "server\n"
+      "is (DISPLAY)",
+      turnsOn(arguments.page) },
     { "--strict", "",
       "fails (exit 3) unless the result is certified: power shape, axis, pruned axis\n"
       "and surface have the same topology, the surface is closed, no warning says\n"
@@ -308,6 +313,7 @@ Results, all or none:
   parts.csv history.csv  the parts; what each iteration removed
   report.json            counts, Betti numbers, verdict, warnings, volumes, times
   morphometry.csv        with --morphometry
+  report.html thickness.vtp  with --report: a page; the surface with its Thickness
   samples axis parts pruned surface overview .png with --picture
 
 )" + quantityHelp() +

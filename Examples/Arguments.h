@@ -45,6 +45,7 @@ struct Arguments
   bool medialMeshes = false;                   ///< write .ma files
   bool exportParts = false;                    ///< write the mesh of each part
   bool picture = false;
+  bool page = false; ///< write report.html
   bool strict = false;
   bool quiet = false;
   bool help = false;

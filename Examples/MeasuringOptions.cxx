@@ -69,7 +69,7 @@ std::vector<Option> measuringOptions(Arguments& arguments)
     { "--morphometry", "",
       "also measures the simplified solid, with the names of bone morphometry: morphometry.csv",
       [&](const std::string&) { arguments.morphometry = true; } },
-    { "--unit", "WORD", "of the coordinates, as mm: is written into the tables",
+    { "--unit", "WORD", "of the coordinates, as mm: is written into tables and report.html",
       [&](const std::string& value) { arguments.unit = parseUnit(value); } },
     { "--bounds", "X,X,Y,Y,Z,Z",
       "measures what is within these bounds (default: the bounding box of the samples)",
@@ -104,13 +104,15 @@ void checkMeasuring(const Arguments& arguments)
 {
   const bool isCohort = !arguments.cohort.empty();
   if (!isCohort && !arguments.morphometry &&
-    (!arguments.unit.empty() || arguments.bounds || arguments.margin > 0))
+    ((!arguments.unit.empty() && !arguments.page) || arguments.bounds || arguments.margin > 0))
   {
-    throw UsageError("--unit, --bounds and --margin are for --morphometry and --cohort");
+    throw UsageError(
+      "--unit, --bounds and --margin are for --morphometry and --cohort, --unit for --report, too");
   }
-  if (isCohort && arguments.picture && !arguments.writesResults)
+  if (isCohort && (arguments.picture || arguments.page) && !arguments.writesResults)
   {
-    throw UsageError("--picture needs a folder for the pictures of a cohort: give --output, too");
+    throw UsageError("--picture and --report need a folder for what they make of a cohort: give "
+                     "--output, too");
   }
   std::set<std::string> files, names;
   for (const std::string& input : arguments.inputs)

@@ -242,6 +242,19 @@ fs::path OutputFolder::draft()
   return this->Draft / "new";
 }
 
+fs::path OutputFolder::scratch()
+{
+  const fs::path result = this->draft().parent_path() / "scratch";
+  const signals::Shield shield; // not twice: draft() has one of its own
+  std::error_code error;
+  fs::create_directory(result, error);
+  if (error)
+  {
+    throw InputError(this->Named + ": can't be written to: " + error.message());
+  }
+  return result;
+}
+
 /// Tries again if another run takes the new folder for a stale draft before it is locked.
 bool OutputFolder::makeDraft(const fs::path& place, const std::string& prefix)
 {

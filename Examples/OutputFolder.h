@@ -49,6 +49,10 @@ public:
   /// @throw InputError  it can't be made
   std::filesystem::path draft();
 
+  /// A folder of the draft for files that are never published.
+  /// @throw InputError  it can't be made
+  std::filesystem::path scratch();
+
   /// What becomes of the results in the folder that no written file replaces.
   enum OldResults
   {

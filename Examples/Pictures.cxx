@@ -39,7 +39,46 @@ vtkSmartPointer<vtkActor> actorOf(
   }
 }
 
-vtkSmartPointer<vtkPolyData> read(const fs::path& file)
+struct Order
+{
+  fs::path results, target;
+  Captions captions;
+};
+
+Order parseOrder(const std::string& text)
+{
+  const std::vector<std::string> pieces = piecesOf(text);
+  Order order = { pieces.at(0), pieces.at(1), {} };
+  for (std::size_t i = 0; i < order.captions.size(); ++i)
+  {
+    order.captions[i] = pieces.at(2 + i);
+  }
+  return order;
+}
+}
+
+std::string orderOf(const std::vector<std::string>& pieces)
+{
+  std::string text;
+  for (const std::string& piece : pieces)
+  {
+    text += piece + '\0';
+  }
+  return text;
+}
+
+std::vector<std::string> piecesOf(const std::string& order)
+{
+  std::vector<std::string> pieces;
+  for (std::size_t begin = 0, end; (end = order.find('\0', begin)) != std::string::npos;
+       begin = end + 1)
+  {
+    pieces.push_back(order.substr(begin, end - begin));
+  }
+  return pieces;
+}
+
+vtkSmartPointer<vtkPolyData> readPolyData(const fs::path& file)
 {
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(file.c_str());
@@ -51,7 +90,7 @@ vtkSmartPointer<vtkPolyData> read(const fs::path& file)
   return reader->GetOutput();
 }
 
-void write(Canvas& canvas, const fs::path& file)
+void writePicture(Canvas& canvas, const fs::path& file)
 {
   try
   {
@@ -63,38 +102,11 @@ void write(Canvas& canvas, const fs::path& file)
   }
 }
 
-struct Order
-{
-  fs::path results, target;
-  Captions captions;
-};
-
-/// Paths and captions end with a zero, which occurs in none of them.
-Order parseOrder(const std::string& text)
-{
-  std::vector<std::string> pieces;
-  for (std::size_t begin = 0, end; (end = text.find('\0', begin)) != std::string::npos;
-       begin = end + 1)
-  {
-    pieces.push_back(text.substr(begin, end - begin));
-  }
-  Order order = { pieces.at(0), pieces.at(1), {} };
-  for (std::size_t i = 0; i < order.captions.size(); ++i)
-  {
-    order.captions[i] = pieces.at(2 + i);
-  }
-  return order;
-}
-}
-
 std::string pictureOrder(const fs::path& results, const fs::path& target, const Captions& captions)
 {
-  std::string text = results.string() + '\0' + target.string() + '\0';
-  for (const std::string& caption : captions)
-  {
-    text += caption + '\0';
-  }
-  return text;
+  std::vector<std::string> pieces = { results.string(), target.string() };
+  pieces.insert(pieces.end(), captions.begin(), captions.end());
+  return orderOf(pieces);
 }
 
 void drawPictures(const std::string& text)
@@ -103,7 +115,7 @@ void drawPictures(const std::string& text)
   std::array<vtkSmartPointer<vtkPolyData>, StageNames.size()> data;
   for (std::size_t i = 0; i < data.size(); ++i)
   {
-    data[i] = read(order.results / (StageNames[i] + std::string(".vtp")));
+    data[i] = readPolyData(order.results / (StageNames[i] + std::string(".vtp")));
   }
   const View view(data[0]);
   for (std::size_t i = 0; i < data.size(); ++i)
@@ -111,7 +123,7 @@ void drawPictures(const std::string& text)
     Canvas canvas(PictureSize, PictureSize);
     canvas.draw(
       actorOf(i, data[i], view, Canvas::Oversampling), view, { 0, 0, PictureSize, PictureSize });
-    write(canvas, order.target / (StageNames[i] + std::string(".png")));
+    writePicture(canvas, order.target / (StageNames[i] + std::string(".png")));
   }
   Canvas overview(OverviewWidth * static_cast<int>(data.size()), OverviewHeight);
   for (std::size_t i = 0; i < data.size(); ++i)
@@ -119,5 +131,5 @@ void drawPictures(const std::string& text)
     overview.draw(actorOf(i, data[i], view, 0.7 * Canvas::Oversampling), view,
       { double(i * OverviewWidth), 0, OverviewWidth, OverviewHeight }, order.captions[i]);
   }
-  write(overview, order.target / "overview.png");
+  writePicture(overview, order.target / "overview.png");
 }

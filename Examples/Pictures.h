@@ -2,9 +2,15 @@
 #ifndef Pictures_h
 #define Pictures_h
 
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <filesystem>
 #include <string>
+#include <vector>
+
+class Canvas;
 
 /// What stands below samples, axis, parts, pruned axis and surface in the overview.
 using Captions = std::array<std::string, 5>;
@@ -19,5 +25,17 @@ std::string pictureOrder(const std::filesystem::path& results, const std::filesy
 /// side.
 /// @throw InputError  a result can't be read, or a picture can't be written
 void drawPictures(const std::string& order);
+
+// What other drawings need, too.
+
+/// An order of pieces: each ends with a zero, which occurs in no path and no caption.
+std::string orderOf(const std::vector<std::string>& pieces);
+std::vector<std::string> piecesOf(const std::string& order);
+
+/// @throw InputError  it can't be read
+vtkSmartPointer<vtkPolyData> readPolyData(const std::filesystem::path& file);
+
+/// @throw InputError  it can't be written
+void writePicture(Canvas& canvas, const std::filesystem::path& file);
 
 #endif

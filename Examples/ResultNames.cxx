@@ -16,8 +16,8 @@ std::set<std::string> resultNames(const fs::path& folder)
   static const std::regex part("part-(0|[1-9][0-9]*)\\.stl");
   std::set<std::string> result = { "balls.vtu", "samples.vtp", "axis.vtp", "parts.vtp",
     "pruned.vtp", "surface.vtp", "surface.stl", "parts.csv", "history.csv", "morphometry.csv",
-    "report.json", "axis.ma", "pruned.ma", "exported.csv", "samples.png", "axis.png", "parts.png",
-    "pruned.png", "surface.png", "overview.png" };
+    "report.json", "axis.ma", "pruned.ma", "exported.csv", "thickness.vtp", "report.html",
+    "samples.png", "axis.png", "parts.png", "pruned.png", "surface.png", "overview.png" };
   std::error_code notThere;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, notThere))
   {

@@ -2,10 +2,11 @@
 #include "Scenes.h"
 
 #include "Errors.h"
+#include "Ramp.h"
 
 #include <vtkCellData.h>
-#include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
+#include <vtkMapper.h>
 #include <vtkMath.h>
 #include <vtkMedialPartDecomposition.h>
 #include <vtkPointData.h>
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -59,27 +59,23 @@ void lookLikeSheets(vtkActor* actor, double scale)
   look->SetPointSize(static_cast<float>(3 * scale));
 }
 
-/// From dark blue over green to yellow, of steadily growing lightness, on a linear scale or, for positive
-/// values, on a logarithmic one.
-vtkSmartPointer<vtkColorTransferFunction> ramp(double lower, double upper, bool isLogarithmic)
+void colourByPoints(vtkMapper* mapper, const char* array, double lower, double upper)
 {
-  static const double lab[][3] = { { 30, 36, -58 }, { 42, 8, -46 }, { 55, -20, -24 },
-    { 69, -42, 14 }, { 82, -28, 60 }, { 93, -6, 78 } };
-  auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
-  colors->SetColorSpaceToLab();
-  for (int i = 0; i < 6; ++i)
-  {
-    std::array<double, 3> rgb;
-    vtkMath::LabToRGB(lab[i], rgb.data());
-    const double value =
-      isLogarithmic ? lower * std::pow(upper / lower, i / 5.0) : lower + (upper - lower) * i / 5;
-    colors->AddRGBPoint(value, rgb[0], rgb[1], rgb[2]);
-  }
-  if (isLogarithmic)
-  {
-    colors->SetScaleToLog10();
-  }
-  return colors;
+  mapper->ScalarVisibilityOn();
+  mapper->SetLookupTable(ramp(lower, upper, false));
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray(array);
+  mapper->InterpolateScalarsBeforeMappingOn();
+}
+
+/// A closed surface without facets.
+vtkSmartPointer<vtkActor> smoothActor(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->ConsistencyOff(); // the crust is oriented already
+  normals->SetFeatureAngle(45);
+  return actorOf(normals);
 }
 
 /// Dark for the nearest sample, pale for the farthest.
@@ -135,10 +131,7 @@ vtkSmartPointer<vtkActor> axisActor(vtkPolyData* axis, double scale)
   mapper->SetInputData(axis);
   if (vtkDataArray* radius = axis->GetPointData()->GetArray("Radius"))
   {
-    mapper->SetLookupTable(ramp(radius->GetRange()[0], radius->GetRange()[1], false));
-    mapper->SetScalarModeToUsePointFieldData();
-    mapper->SelectColorArray("Radius");
-    mapper->InterpolateScalarsBeforeMappingOn();
+    colourByPoints(mapper, "Radius", radius->GetRange()[0], radius->GetRange()[1]);
   }
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
@@ -187,16 +180,32 @@ vtkSmartPointer<vtkActor> arrayActor(vtkPolyData* axis, const std::string& array
 
 vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface)
 {
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(surface);
-  normals->ConsistencyOff(); // the crust is oriented already
-  normals->SetFeatureAngle(45);
-  auto actor = actorOf(normals);
+  auto actor = smoothActor(surface);
   vtkProperty* look = actor->GetProperty();
   look->SetColor(0.97, 0.93, 0.86);
   look->SetAmbient(0.18);
   look->SetDiffuse(0.9);
   look->SetSpecular(0.15);
   look->SetSpecularPower(25);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> thickSurfaceActor(vtkPolyData* surface, double top)
+{
+  auto actor = smoothActor(surface);
+  colourByPoints(actor->GetMapper(), "Thickness", 0, top);
+  actor->GetProperty()->SetAmbient(0.35);
+  actor->GetProperty()->SetDiffuse(0.7);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> thickAxisActor(vtkPolyData* axis, double top, double scale)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(axis);
+  colourByPoints(mapper, "Thickness", 0, top);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  lookLikeSheets(actor, scale);
   return actor;
 }

@@ -30,4 +30,8 @@ vtkSmartPointer<vtkActor> arrayActor(vtkPolyData* axis, const std::string& array
 /// The closed surface, smoothly shaded.
 vtkSmartPointer<vtkActor> surfaceActor(vtkPolyData* surface);
 
+/// The surface and the axis coloured by Thickness of their points, from dark at 0 to bright at `top`, see Ramp.h.
+vtkSmartPointer<vtkActor> thickSurfaceActor(vtkPolyData* surface, double top);
+vtkSmartPointer<vtkActor> thickAxisActor(vtkPolyData* axis, double top, double scale);
+
 #endif

@@ -12,10 +12,12 @@
 #include "Messages.h"
 #include "Morphometry.h"
 #include "OutputFolder.h"
+#include "Page.h"
 #include "Pictures.h"
 #include "Progress.h"
 #include "ReadPoints.h"
 #include "Report.h"
+#include "ReportPage.h"
 #include "Results.h"
 #include "Signals.h"
 #include "Tables.h"
@@ -201,6 +203,12 @@ void addPictures(vtkSimplifyShape* simplify, DrawingProcess& process, OutputFold
   }
 }
 
+/// A file or folder without those above it.
+std::string nameOf(const std::filesystem::path& input)
+{
+  return (input.has_filename() ? input : input.parent_path()).filename().string();
+}
+
 ExitCode simplify(const Arguments& arguments)
 {
   const auto begin = std::chrono::steady_clock::now();
@@ -208,6 +216,11 @@ ExitCode simplify(const Arguments& arguments)
   if (arguments.picture)
   {
     drawing.emplace("--picture", drawPictures);
+  }
+  std::optional<ReportPage> page;
+  if (arguments.page)
+  {
+    page.emplace();
   }
   vtkNew<vtkSimplifyShape> filter;
   const Input input = prepare(filter, arguments);
@@ -227,6 +240,10 @@ ExitCode simplify(const Arguments& arguments)
   {
     row = morphometryOf(filter, arguments);
     folder.writeText(csv(row), "morphometry.csv");
+  }
+  if (page)
+  {
+    page->write(filter, { nameOf(arguments.input), arguments.unit, row }, progress, folder);
   }
   folder.writeText(report(filter, input, row, progress, total), "report.json");
   folder.publish(OutputFolder::Replaced);

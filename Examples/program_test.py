@@ -61,7 +61,7 @@ class ProgramTest(unittest.TestCase):
                           "".join("%.17g %.17g %.17g\n" % point for point in points))
 
     def run_program(self, *arguments, environment=None):
-        return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True,
+        return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, errors="replace",
                               stdin=subprocess.DEVNULL, env=environment)
 
     def simplify(self, points, *arguments):

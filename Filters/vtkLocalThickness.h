@@ -25,7 +25,8 @@
  *    around the samples don't count.
  *
  * Output 1: vtkTable, a row for each mean, with columns `Quantity` (Thickness, Separation), `Weight`, `Mean`, `Deviation`,
- * `Minimum`, `Maximum`, `Number` (of values). Not a number where there is no value. By `Weight`:
+ * `Minimum`, `Maximum`, `Number` (of values), `Histogram` (vtkIdType, 40 components: how many values are in each fortieth of
+ * the range from 0 to the maximum). Not a number where there is no value. By `Weight`:
  *  - `volume`: at NumberOfPoints points spread evenly over the volume of interest. This is Tb.Th and Tb.Sp of
  *    bone morphometry. Separation counts where an outer ball contains the point whose centre is in the volume.
  *  - `places`: at the points of output 0, each once.

@@ -206,6 +206,7 @@ constexpr const char* Deviation = "Deviation";
 constexpr const char* Minimum = "Minimum";
 constexpr const char* Maximum = "Maximum";
 constexpr const char* Number = "Number";
+constexpr const char* Histogram = "Histogram";
 constexpr const char* Margin = "Margin";
 constexpr const char* VolumeShare = "VolumeShare";
 // ... thin places: columns; PartId too

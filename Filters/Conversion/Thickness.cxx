@@ -70,6 +70,9 @@ void addMeans(const ThicknessReport& report, vtkTable* table)
   add<vtkDoubleArray>(data, names::Minimum, rows, &Distribution::smallest);
   add<vtkDoubleArray>(data, names::Maximum, rows, &Distribution::largest);
   add<vtkIdTypeArray>(data, names::Number, rows, &Distribution::number);
+  data->AddArray(
+    tuples<vtkIdTypeArray>(names::Histogram, static_cast<int>(Distribution().histogram.size()),
+      rows, [](const Distribution& row) { return row.histogram; }));
   addOne<vtkDoubleArray>(table->GetFieldData(), names::Margin, report.volume.margin);
   addOne<vtkDoubleArray>(table->GetFieldData(), names::VolumeShare, report.volume.share);
 }

@@ -62,8 +62,9 @@ TEST(LocalThickness, HasTheArraysOfItsHeader)
     (std::vector<std::string>{ "Separation double 1", "SeparationBall idtype 1",
       "Thickness double 1", "ThicknessBall idtype 1" }));
   EXPECT_EQ(arrays(table(thickness, 1)->GetRowData()),
-    (std::vector<std::string>{ "Deviation double 1", "Maximum double 1", "Mean double 1",
-      "Minimum double 1", "Number idtype 1", "Quantity string 1", "Weight string 1" }));
+    (std::vector<std::string>{ "Deviation double 1", "Histogram idtype 40", "Maximum double 1",
+      "Mean double 1", "Minimum double 1", "Number idtype 1", "Quantity string 1",
+      "Weight string 1" }));
   EXPECT_EQ(arrays(table(thickness, 1)->GetFieldData()),
     (std::vector<std::string>{ "Margin double 1", "VolumeShare double 1" }));
   EXPECT_EQ(table(thickness, 2)->GetNumberOfRows(), 0);

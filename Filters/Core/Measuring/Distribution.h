@@ -5,6 +5,7 @@
 #include "Base/Types.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -19,6 +20,10 @@ struct Distribution
   double smallest = mean;
   double largest = mean;
   Index number = 0; ///< of values
+
+  /// How many values are in each of equal ranges from 0 to the largest; one at a bound counts in the range above, the
+  /// largest one in the last. Negative values count in the first.
+  std::array<Index, 40> histogram{};
 };
 
 /// Adds values up in their order, so that the result doesn't depend on threads.
@@ -44,6 +49,12 @@ inline Distribution distribution(const std::vector<double>& values)
   result.smallest = *smallest;
   result.largest = *largest;
   result.number = count(values);
+  const int bins = static_cast<int>(result.histogram.size());
+  for (const double value : values)
+  {
+    const double share = result.largest > 0 ? std::max(value / result.largest, 0.0) : 0;
+    ++result.histogram[std::min(static_cast<int>(share * bins), bins - 1)];
+  }
   return result;
 }
 }
