@@ -16,26 +16,38 @@ namespace medial
 {
 namespace
 {
-/// Do two of some walls face each other? Beginning with each of a few walls, the one that faces it most is looked for,
-/// and the one that faces that most.
-bool faceEachOther(const std::vector<SampleWall>& walls, const IndexLists::View& samples)
+/// Do some walls hold a ball from opposite sides? Then a mean of their normals is short: that of two that differ by 150
+/// degrees is as long as `most`, and of three around a rod it can be zero. It is found by Gilbert's algorithm: one goes
+/// from the mean so far towards the wall that faces it most, as far as the mean gets shorter.
+bool holdFromOppositeSides(const std::vector<SampleWall>& walls, const IndexLists::View& samples)
 {
-  constexpr double least = -0.866; // cosine of 150 degrees
-  constexpr Index few = 8;
-  const auto facing = [&](Index from) {
-    const auto cosine = [&](Index s) { return walls[s].normal.dot(walls[from].normal); };
-    return *std::min_element(
-      samples.begin(), samples.end(), [&](Index a, Index b) { return cosine(a) < cosine(b); });
-  };
-  for (Index i = 0; i < std::min(few, samples.size()); ++i)
+  constexpr double most = 0.259; // cosine of 75 degrees
+  constexpr int turns = 50;
+  std::vector<Point> normals;
+  for (const Index s : samples)
   {
-    const Index one = facing(samples[i]), other = facing(one);
-    if (walls[one].normal.dot(walls[other].normal) <= least)
+    if (!walls[s].normal.isZero()) // else it isn't known
     {
-      return true;
+      normals.push_back(walls[s].normal);
     }
   }
-  return false;
+  if (normals.empty())
+  {
+    return false;
+  }
+  Point mean = normals.front();
+  for (int turn = 0; turn < turns && mean.norm() > most; ++turn)
+  {
+    const Point& next = *std::min_element(normals.begin(), normals.end(),
+      [&](const Point& a, const Point& b) { return a.dot(mean) < b.dot(mean); });
+    if (next.dot(mean) > most * mean.norm())
+    {
+      return false; // all normals are beyond a plane at that distance
+    }
+    const Point step = next - mean;
+    mean += std::clamp(-mean.dot(step) / step.squaredNorm(), 0.0, 1.0) * step;
+  }
+  return mean.norm() <= most;
 }
 
 /// Points in the order of their thickness: the rank of each.
@@ -173,7 +185,7 @@ AxisThickness axisThickness(const AxisComplex& axis, const PolarBalls& balls,
     const Index ball = axis.ballOfPoint[i];
     result.ofPoint.push_back(2 * (ball == None ? axis.radii[i] : distances[ball]));
     double widest = std::numeric_limits<double>::infinity();
-    if (ball != None && faceEachOther(walls, balls.ballSamples[ball]))
+    if (ball != None && holdFromOppositeSides(walls, balls.ballSamples[ball]))
     {
       widest = 0;
       for (const Index s : balls.ballSamples[ball])

@@ -26,8 +26,8 @@ struct AxisThickness
 {
   std::vector<double> ofPoint; ///< twice the wall distance of its ball
 
-  /// Is the point between walls that face each other, and are there enough samples to tell? The walls' normals at two samples
-  /// of its ball differ by 150 degrees and more, and the thickness is at least 2.5 local spacings, mean distances from the six nearest
+  /// Is the point between walls that hold its ball from opposite sides, and are there enough samples to tell? Of two walls
+  /// the normals differ by 150 degrees and more; and the thickness is at least 2.5 local spacings, mean distances from the six nearest
   /// samples. At an edge, where every solid is as thin as one likes, neither is true.
   std::vector<char> isWall;
 };
