@@ -92,6 +92,17 @@ double BallTree::distance(const Point& x, double enough) const
   return this->least({ x, 0 }, Nothing, enough);
 }
 
+bool BallTree::isWithin(const Point& x, double distance) const
+{
+  constexpr double nowhere = std::numeric_limits<double>::infinity();
+  const auto near = [&](double outside) { return outside <= distance ? outside : nowhere; };
+  const auto bound = [&](const Node& node) { return near(lowerBound(node, x) - node.radius); };
+  const auto value = [&](const Member& member) {
+    return near((member.ball.center - x).norm() - member.ball.radius);
+  };
+  return this->search(bound, value, distance).number != None;
+}
+
 double BallTree::protrusion(const Ball& ball, Index group, double enough) const
 {
   return std::max(0.0, this->least(ball, group, enough));

@@ -31,6 +31,9 @@ public:
   /// @param enough  the search stops at a value of at most this much, which need not be the least
   double distance(const Point& x, double enough = -std::numeric_limits<double>::infinity()) const;
 
+  /// Is the distance at most so much? Quicker than to ask for it.
+  bool isWithin(const Point& x, double distance) const;
+
   /// How far, at most, a ball sticks out of the one that covers it best: the least, over all balls of
   /// other groups than its own, of distance of the centres + its radius - the other's radius; not
   /// below 0. Infinite where there is no other group.

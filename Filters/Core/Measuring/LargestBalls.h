@@ -28,6 +28,12 @@ public:
   /// The ball in whose power cell the place would be if there were no others; None without balls.
   Index leastPower(const Point& place) const;
 
+  /// Is the place outside of all balls by more than a distance?
+  bool isFar(const Point& place, double distance) const
+  {
+    return !this->tree.isWithin(place, distance);
+  }
+
 private:
   std::vector<Index> numbers; ///< ascending
   BallTree tree;

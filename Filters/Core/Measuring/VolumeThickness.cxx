@@ -50,6 +50,7 @@ class PowerCells
 public:
   explicit PowerCells(const PolarBalls& theBalls)
     : balls(theBalls.balls)
+    , reach(corner * theBalls.spacing)
     , inner(theBalls, Side::Inner)
     , outside(outerNeighbors(theBalls))
   {
@@ -59,6 +60,10 @@ public:
   /// of its neighbors, and of the inner ones that is sure.
   Index innerBall(const Point& place) const
   {
+    if (this->inner.isFar(place, this->reach)) // most places are, and this is quick
+    {
+      return None;
+    }
     const Index nearest = this->inner.leastPower(place);
     if (nearest == None)
     {
@@ -72,6 +77,9 @@ public:
   }
 
 private:
+  /// Only sharp corners of a solid are outside of its balls, within a few sample spacings.
+  static constexpr double corner = 5;
+
   double power(const Point& place, Index b) const
   {
     const double distance = (place - this->balls[b].center).norm();
@@ -79,6 +87,7 @@ private:
   }
 
   const std::vector<Ball>& balls;
+  double reach;
   LargestBalls inner;
   IndexLists outside;
 };

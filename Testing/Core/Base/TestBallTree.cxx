@@ -230,7 +230,10 @@ TEST(BallTree, DistanceIsThatOfALoopOverAllBallsToTheLastBit)
     const BallTree tree(c.balls);
     for (const Point& query : c.queries)
     {
-      ASSERT_EQ(tree.distance(query), distanceByLoop(c.balls, query));
+      const double distance = distanceByLoop(c.balls, query);
+      ASSERT_EQ(tree.distance(query), distance);
+      ASSERT_TRUE(tree.isWithin(query, distance));
+      ASSERT_FALSE(tree.isWithin(query, std::nextafter(distance, -infinity)));
     }
   }
 }
