@@ -325,6 +325,7 @@ void joinAtForks(const MedialAxis& axis, const BallTree& solid, std::vector<Cent
     }
   });
   std::vector<std::vector<double>> smoothedRadii;
+  smoothedRadii.reserve(curves.size());
   for (const Centreline& curve : curves)
   {
     smoothedRadii.push_back(curve.radii);

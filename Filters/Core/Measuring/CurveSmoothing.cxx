@@ -146,7 +146,8 @@ private:
   {
     const Index size = count(this->all);
     const double round = j < 0 ? -this->at.back() : (j < size ? 0 : this->at.back());
-    return this->at[(j + size) % size] + round - this->at[i];
+    const Index within = j < 0 ? j + size : (j < size ? j : j - size);
+    return this->at[within] + round - this->at[i];
   }
 
   const std::vector<Stretch>& all;

@@ -83,7 +83,7 @@ const std::vector<Quantity>& allQuantities()
 
 std::string unitOf(const Quantity& quantity, const std::string& length)
 {
-  const std::string unit = length.empty() ? "unit" : length;
+  std::string unit = length.empty() ? "unit" : length;
   switch (quantity.power)
   {
     case 0:

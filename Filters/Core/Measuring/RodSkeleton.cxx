@@ -17,11 +17,11 @@ using Event = std::pair<double, Index>;
 using Queue = std::priority_queue<Event, std::vector<Event>, std::greater<>>;
 
 /// Collapses triangles over their free edges.
-class Burning
+class RodCollapse
 {
 public:
-  Burning(const MedialAxis& medialAxis, const AxisEdges& axisEdges, const std::vector<char>& inRod,
-    const Execution& execution)
+  RodCollapse(const MedialAxis& medialAxis, const AxisEdges& axisEdges,
+    const std::vector<char>& inRod, const Execution& execution)
     : axis(medialAxis)
     , edges(axisEdges)
     , alive(inRod)
@@ -268,7 +268,7 @@ RodSkeleton rodSkeleton(const MedialAxis& axis, const AxisEdges& edges,
   const std::vector<char>& inRod, const std::vector<char>& anchor,
   const std::vector<Index>& covering, const Execution& execution)
 {
-  const Burning burning(axis, edges, inRod, execution);
+  const RodCollapse burning(axis, edges, inRod, execution);
   const std::vector<Edge> lines = burning.result();
   return { Shortening(axis, lines, anchor, covering, execution).result() };
 }

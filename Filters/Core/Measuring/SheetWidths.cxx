@@ -14,7 +14,7 @@ constexpr double noSheet = std::numeric_limits<double>::infinity();
 
 /// When the sheets at each point have burnt, infinite where there are none. Where lines end at a sheet
 /// the erosion thickness of the point tells of the lines; then that of the triangles counts.
-std::vector<double> burnTimes(const MedialAxis& axis)
+std::vector<double> sheetBurnTimes(const MedialAxis& axis)
 {
   std::vector<double> result(axis.points.size(), noSheet);
   const Index first = axis.cells.firstTriangle();
@@ -90,7 +90,7 @@ void climb(std::vector<Index>& next, const Execution& execution)
 
 SheetWidths sheetWidths(const MedialAxis& axis, const AxisEdges& edges, const Execution& execution)
 {
-  const std::vector<double> time = burnTimes(axis);
+  const std::vector<double> time = sheetBurnTimes(axis);
   SheetWidths result;
   result.summit = steepest(axis, edges, time);
   climb(result.summit, execution);

@@ -152,6 +152,7 @@ std::vector<Value> byRank(const std::vector<Value>& ofPoint, const Ranks& rankin
 std::vector<ThinPlace> apart(const std::vector<ThinPlace>& places, const std::vector<Point>& points)
 {
   std::vector<Point> at;
+  at.reserve(places.size());
   for (const ThinPlace& place : places)
   {
     at.push_back(points[place.point]);

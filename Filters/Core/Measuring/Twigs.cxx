@@ -25,7 +25,7 @@ IndexLists neighborLists(Index pointCount, const std::vector<Edge>& edges)
 }
 
 /// How a graph burns from its free ends.
-struct Burning
+struct GraphFire
 {
   std::vector<Index>
     parent; ///< of each point where its fire goes on; None where it ends, or comes never
@@ -35,8 +35,8 @@ struct Burning
 };
 
 /// Passes the fire of each point on to the one neighbour that has not burnt, earliest first.
-void burn(
-  const MedialAxis& axis, const IndexLists& neighbors, Burning& result, const Execution& execution)
+void burn(const MedialAxis& axis, const IndexLists& neighbors, GraphFire& result,
+  const Execution& execution)
 {
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> fires;
@@ -72,14 +72,14 @@ void burn(
 }
 
 /// When the fire of a point comes to the next one.
-double arrivalFrom(const MedialAxis& axis, const Burning& burning, Index child)
+double arrivalFrom(const MedialAxis& axis, const GraphFire& burning, Index child)
 {
   return burning.arrival[child] + (axis.points[child] - axis.points[burning.parent[child]]).norm();
 }
 
-Burning burning(const MedialAxis& axis, const IndexLists& neighbors, const Execution& execution)
+GraphFire burning(const MedialAxis& axis, const IndexLists& neighbors, const Execution& execution)
 {
-  Burning result;
+  GraphFire result;
   result.parent.assign(axis.points.size(), None);
   result.arrival = axis.radii;
   for (Index point = 0; point < neighbors.size(); ++point)
@@ -113,7 +113,7 @@ Burning burning(const MedialAxis& axis, const IndexLists& neighbors, const Execu
 class Keeping
 {
 public:
-  Keeping(const MedialAxis& axis, const std::vector<double>& times, const Burning& burning)
+  Keeping(const MedialAxis& axis, const std::vector<double>& times, const GraphFire& burning)
     : axis(axis)
     , times(times)
     , burning(burning)
@@ -221,7 +221,7 @@ private:
 
   const MedialAxis& axis;
   const std::vector<double>& times;
-  const Burning& burning;
+  const GraphFire& burning;
   std::vector<char> isKept;
   std::vector<Index> twigs; ///< to be kept, by the point next to the root
 };
@@ -231,7 +231,7 @@ std::vector<Edge> withoutTwigs(const MedialAxis& axis, const std::vector<double>
   const std::vector<Edge>& edges, const Execution& execution)
 {
   const IndexLists neighbors = neighborLists(count(axis.points), edges);
-  const Burning fire = burning(axis, neighbors, execution);
+  const GraphFire fire = burning(axis, neighbors, execution);
   const std::vector<char> isKept = Keeping(axis, times, fire).keptPoints();
   std::vector<Edge> result;
   for (const Edge& edge : edges)

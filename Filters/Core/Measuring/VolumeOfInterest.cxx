@@ -11,7 +11,7 @@ namespace medial
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
+constexpr double FullTurn = 6.28318530717958647693;
 
 /// The corners of a flat convex polygon. Six cuts of a triangle leave at most nine.
 using Polygon = std::vector<Point>;
@@ -172,8 +172,8 @@ double eulerWithin(const Box& box, const std::vector<Point>& points,
   double turned = 0;
   for (Index p = 0; p < count(points); ++p)
   {
-    turned += used[p] && box.contains(points[p]) ? 2 * Pi - angles[p] : 0;
+    turned += used[p] && box.contains(points[p]) ? FullTurn - angles[p] : 0;
   }
-  return turned / (4 * Pi);
+  return turned / (2 * FullTurn);
 }
 }
