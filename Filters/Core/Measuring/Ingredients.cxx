@@ -89,6 +89,14 @@ void measureElements(const MedialAxis& axis, const std::vector<double>& distance
   result.plateThickness = means.plateThickness;
   result.rodThickness = means.rodThickness;
   result.plateWidth = means.plateWidth;
+  result.plateArea = means.plateArea;
+  result.rodLength = means.rodLength;
+  if (result.isWhole) // junctions have no place
+  {
+    result.plateJunctions = means.plateJunctions;
+    result.mixedJunctions = means.mixedJunctions;
+    result.rodJunctions = means.rodJunctions;
+  }
 }
 }
 

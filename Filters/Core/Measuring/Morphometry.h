@@ -46,6 +46,12 @@ struct MorphometryIngredients
   double plateThickness = Unknown; ///< mean
   double rodThickness = Unknown;
   double plateWidth = Unknown;
+  double plateArea = Unknown; ///< mean of a plate
+  double rodLength = Unknown; ///< mean of a rod
+  // How many places where plates meet plates, plates rods, rods rods.
+  double plateJunctions = Unknown;
+  double mixedJunctions = Unknown;
+  double rodJunctions = Unknown;
 };
 
 /// A row of the table of quantities: all there is to know about one.

@@ -73,10 +73,20 @@ PlateAndRodMeans plateAndRodMeans(const MedialAxis& made, const std::vector<doub
       width.add(found.widths.width[i], volumes[i]);
     }
   }
+  WeightedMean area, length;
   for (const Element& element : found.elements)
   {
-    (element.isPlate ? result.plates : result.rods) += box.contains(element.centroid) ? 1 : 0;
+    if (box.contains(element.centroid))
+    {
+      (element.isPlate ? result.plates : result.rods) += 1;
+      element.isPlate ? area.add(element.area, 1) : length.add(element.length, 1);
+    }
   }
+  result.plateArea = area.value();
+  result.rodLength = length.value();
+  result.plateJunctions = found.plateJunctions;
+  result.mixedJunctions = found.mixedJunctions;
+  result.rodJunctions = found.rodJunctions;
   const double all = thickness[0].weight() + thickness[1].weight();
   if (all > 0)
   {

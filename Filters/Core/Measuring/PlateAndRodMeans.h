@@ -24,6 +24,11 @@ struct PlateAndRodMeans
   double plateThickness = plateShare;
   double rodThickness = plateShare;
   double plateWidth = plateShare; ///< without closed sheets, which have none
+  double plateArea = plateShare;  ///< of a plate, each alike
+  double rodLength = plateShare;  ///< of a rod, each alike
+
+  // Of the whole solid, see PlatesAndRods.
+  Index plateJunctions = 0, mixedJunctions = 0, rodJunctions = 0;
 };
 
 /// @param distances  wallDistances() of the balls that the axis was made from: they stand for the radii, so that bulges

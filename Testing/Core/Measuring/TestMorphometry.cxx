@@ -70,6 +70,10 @@ MorphometryIngredients complete()
   result.rods = 27;
   result.plateThickness = result.rodThickness = 0.5;
   result.plateWidth = 2;
+  result.plateArea = 4;
+  result.rodLength = 3;
+  result.plateJunctions = result.mixedJunctions = 16;
+  result.rodJunctions = 8;
   return result;
 }
 }
@@ -152,17 +156,20 @@ TEST(Morphometry, HasTheUnitsOfItsTable)
   large.axis.points = { Point(0, 0, 2.5), Point(40, 0, 2.5), Point(0, 40, 2.5) };
   MorphometryIngredients big = large.measured(), small = complete();
   big.spacing *= 10;
-  for (double MorphometryIngredients::*length : { &MorphometryIngredients::thickness,
-         &MorphometryIngredients::thicknessDeviation, &MorphometryIngredients::thicknessLargest,
-         &MorphometryIngredients::separation, &MorphometryIngredients::separationDeviation,
-         &MorphometryIngredients::separationLargest, &MorphometryIngredients::plateThickness,
-         &MorphometryIngredients::rodThickness, &MorphometryIngredients::plateWidth })
+  for (double MorphometryIngredients::*length :
+    { &MorphometryIngredients::thickness, &MorphometryIngredients::thicknessDeviation,
+      &MorphometryIngredients::thicknessLargest, &MorphometryIngredients::separation,
+      &MorphometryIngredients::separationDeviation, &MorphometryIngredients::separationLargest,
+      &MorphometryIngredients::plateThickness, &MorphometryIngredients::rodThickness,
+      &MorphometryIngredients::plateWidth, &MorphometryIngredients::rodLength })
   {
     big.*length = 10 * small.*length;
   }
-  for (double MorphometryIngredients::*number :
-    { &MorphometryIngredients::plateShare, &MorphometryIngredients::rodShare,
-      &MorphometryIngredients::plates, &MorphometryIngredients::rods })
+  big.plateArea = 100 * small.plateArea;
+  for (double MorphometryIngredients::*number : { &MorphometryIngredients::plateShare,
+         &MorphometryIngredients::rodShare, &MorphometryIngredients::plates,
+         &MorphometryIngredients::rods, &MorphometryIngredients::plateJunctions,
+         &MorphometryIngredients::mixedJunctions, &MorphometryIngredients::rodJunctions })
   {
     big.*number = small.*number;
   }

@@ -37,6 +37,7 @@ TEST(PlateAndRodMeans, OfAPlateAreItsThicknessAndWidth)
   EXPECT_NEAR(means.plateThickness, 0.5, 0.01); // by radii 8 % more
   EXPECT_TRUE(std::isnan(means.rodThickness));
   EXPECT_TRUE(std::isnan(means.plateWidth)); // it has no border
+  EXPECT_NEAR(means.plateArea, 4 * 3.14159 * 0.75 * 0.75, 0.2);
 
   const PlateAndRodMeans holes = meansOf(shapes::twoHolePlate());
   EXPECT_GT(holes.plateShare, 0.9);
@@ -53,6 +54,8 @@ TEST(PlateAndRodMeans, OfARodAreItsThickness)
   EXPECT_EQ(means.rodShare, 1);
   EXPECT_NEAR(means.rodThickness, 1.4, 0.014);
   EXPECT_TRUE(std::isnan(means.plateThickness));
+  EXPECT_NEAR(means.rodLength, 4 * 3.14159, 0.2);
+  EXPECT_EQ(means.rodJunctions, 0);
 }
 
 TEST(PlateAndRodMeans, CountElementsWhoseCentroidIsInTheBox)
