@@ -2,7 +2,7 @@
 #include "vtkMedialCenterlines.h"
 
 #include "Conversion/Axis.h"
-#include "Conversion/Centrelines.h"
+#include "Conversion/Centerlines.h"
 #include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 
@@ -33,7 +33,7 @@ int vtkMedialCenterlines::RequestData(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       const medial::MedialAxis axis = medial::readMedialAxis(input);
       medial::write(
-        medial::centrelines(axis, { this->WidthRatio }, execution), input, output, nodes);
+        medial::centerlines(axis, { this->WidthRatio }, execution), input, output, nodes);
     });
 }
 

@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-/// Solids of rods whose centrelines are known.
+/// Solids of rods whose centerlines are known.
 namespace rods
 {
 using medial::Edge;

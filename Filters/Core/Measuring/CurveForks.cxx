@@ -37,7 +37,7 @@ struct Ray
 class FromEnd
 {
 public:
-  FromEnd(std::vector<Centreline>& curves, const End& end)
+  FromEnd(std::vector<Centerline>& curves, const End& end)
     : curve(curves[end.curve])
     , isLast(end.isLast)
   {
@@ -68,7 +68,7 @@ public:
 private:
   Index place(Index i) const { return this->isLast ? this->size() - 1 - i : i; }
 
-  Centreline& curve;
+  Centerline& curve;
   bool isLast;
 };
 
@@ -114,7 +114,7 @@ public:
   /// @param node           the ball of the axis there
   /// @param chordShare     over so much of a curve, at most, its direction is taken
   /// @param smoothedRadii  of each curve, before any fork was put in place
-  Fork(std::vector<Centreline>& curves, const Lists<End>::View& ends, const Ball& node,
+  Fork(std::vector<Centerline>& curves, const Lists<End>::View& ends, const Ball& node,
     const BallTree& solid, double chordShare, const std::vector<std::vector<double>>& smoothedRadii)
     : curves(curves)
     , ends(ends)
@@ -300,7 +300,7 @@ private:
     }
   }
 
-  std::vector<Centreline>& curves;
+  std::vector<Centerline>& curves;
   const Lists<End>::View ends;
   const Ball node;
   double radius;
@@ -310,7 +310,7 @@ private:
 };
 }
 
-void joinAtForks(const MedialAxis& axis, const BallTree& solid, std::vector<Centreline>& curves)
+void joinAtForks(const MedialAxis& axis, const BallTree& solid, std::vector<Centerline>& curves)
 {
   const Lists<End> endsAt = listsByKey<End>(count(axis.points), [&curves](const auto& add) {
     for (Index i = 0; i < count(curves); ++i)
@@ -326,7 +326,7 @@ void joinAtForks(const MedialAxis& axis, const BallTree& solid, std::vector<Cent
   });
   std::vector<std::vector<double>> smoothedRadii;
   smoothedRadii.reserve(curves.size());
-  for (const Centreline& curve : curves)
+  for (const Centerline& curve : curves)
   {
     smoothedRadii.push_back(curve.radii);
   }

@@ -4,7 +4,7 @@
 
 #include "Axis/MedialAxis.h"
 #include "Base/BallTree.h"
-#include "Measuring/Centreline.h"
+#include "Measuring/Centerline.h"
 
 #include <vector>
 
@@ -18,7 +18,7 @@ namespace medial
 /// Curves that are too short for that, or would leave the solid, are shifted instead.
 /// @param solid  the balls of the axis
 /// @param curves  smoothed() ones; their nodes are points of the axis
-void joinAtForks(const MedialAxis& axis, const BallTree& solid, std::vector<Centreline>& curves);
+void joinAtForks(const MedialAxis& axis, const BallTree& solid, std::vector<Centerline>& curves);
 }
 
 #endif

@@ -157,7 +157,7 @@ private:
 };
 }
 
-Centreline smoothed(
+Centerline smoothed(
   const MedialAxis& axis, const std::vector<double>& times, const CurveBranch& branch)
 {
   const bool isLoop = branch.nodes[0] == None;
@@ -167,7 +167,7 @@ Centreline smoothed(
   {
     values.push_back(values.front());
   }
-  Centreline result;
+  Centerline result;
   for (const Values& value : values)
   {
     result.points.emplace_back(value.head<3>().transpose());

@@ -3,7 +3,7 @@
 #define medial_CurveSmoothing_h
 
 #include "Axis/MedialAxis.h"
-#include "Measuring/Centreline.h"
+#include "Measuring/Centerline.h"
 #include "Measuring/CurveBranches.h"
 
 #include <vector>
@@ -16,7 +16,7 @@ namespace medial
 /// curve over half a radius to both sides. Parabolas don't shorten bends, as means would: a ring keeps its
 /// size. At most 16 stretches to each side count, so the cost is linear.
 /// @param times  burnTimes() of the axis
-Centreline smoothed(
+Centerline smoothed(
   const MedialAxis& axis, const std::vector<double>& times, const CurveBranch& branch);
 }
 

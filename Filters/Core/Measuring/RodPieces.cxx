@@ -29,7 +29,7 @@ std::vector<Run> runs(const std::vector<char>& isPlate)
 }
 
 /// Is a run shorter than the mean thickness along it?
-bool isShort(const Centreline& curve, const std::vector<double>& at, const Run& run)
+bool isShort(const Centerline& curve, const std::vector<double>& at, const Run& run)
 {
   double thickness = 0;
   for (Index i = run.begin; i < run.end; ++i)
@@ -40,7 +40,7 @@ bool isShort(const Centreline& curve, const std::vector<double>& at, const Run& 
 }
 
 /// For each point of a curve, is it on a plate?
-std::vector<char> onPlates(const Centreline& curve, double widthRatio)
+std::vector<char> onPlates(const Centerline& curve, double widthRatio)
 {
   std::vector<char> result;
   for (std::size_t i = 0; i < curve.points.size(); ++i)
@@ -63,11 +63,11 @@ std::vector<char> onPlates(const Centreline& curve, double widthRatio)
 }
 
 /// The same loop from its first point on a plate.
-Centreline fromPlate(const Centreline& loop, double widthRatio)
+Centerline fromPlate(const Centerline& loop, double widthRatio)
 {
   const std::vector<char> isPlate = onPlates(loop, widthRatio);
   const auto first = std::find(isPlate.begin(), isPlate.end(), 1) - isPlate.begin();
-  Centreline result = loop;
+  Centerline result = loop;
   const auto turn = [first](auto& values) {
     values.pop_back();
     std::rotate(values.begin(), values.begin() + first % static_cast<std::ptrdiff_t>(values.size()),
@@ -80,7 +80,7 @@ Centreline fromPlate(const Centreline& loop, double widthRatio)
   return result;
 }
 
-Centreline pieceOf(const Centreline& curve, const Run& run)
+Centerline pieceOf(const Centerline& curve, const Run& run)
 {
   const auto part = [&run](const auto& values) {
     return std::decay_t<decltype(values)>(values.begin() + run.begin, values.begin() + run.end);
@@ -91,7 +91,7 @@ Centreline pieceOf(const Centreline& curve, const Run& run)
 }
 
 /// Does a piece stay within a radius of the rim of the plate at one of its ends?
-bool isRim(const Centreline& piece, bool isPlateLast)
+bool isRim(const Centerline& piece, bool isPlateLast)
 {
   const std::size_t plate = isPlateLast ? piece.points.size() - 1 : 0;
   const double reach = piece.halfWidths[plate] + piece.radii[plate];
@@ -106,20 +106,20 @@ bool isRim(const Centreline& piece, bool isPlateLast)
 }
 }
 
-std::vector<Centreline> rodPieces(
-  const Centreline& curve, const std::array<bool, 2>& isFree, double widthRatio)
+std::vector<Centerline> rodPieces(
+  const Centerline& curve, const std::array<bool, 2>& isFree, double widthRatio)
 {
   const bool isLoop = curve.nodes[0] == None;
-  const Centreline line = isLoop ? fromPlate(curve, widthRatio) : curve;
+  const Centerline line = isLoop ? fromPlate(curve, widthRatio) : curve;
   const std::vector<char> isPlate = onPlates(line, widthRatio);
-  std::vector<Centreline> result;
+  std::vector<Centerline> result;
   for (const Run& run : runs(isPlate))
   {
     if (isPlate[run.begin] || run.end - run.begin < 2)
     {
       continue;
     }
-    Centreline piece = pieceOf(line, run);
+    Centerline piece = pieceOf(line, run);
     const bool isFirst = run.begin == 0, isLast = run.end == count(line.points);
     const bool isRimPiece = (isFirst && isFree[0] && !isLast && isRim(piece, true)) ||
       (isLast && isFree[1] && !isFirst && isRim(piece, false));

@@ -2,7 +2,7 @@
 #ifndef medial_RodPieces_h
 #define medial_RodPieces_h
 
-#include "Measuring/Centreline.h"
+#include "Measuring/Centerline.h"
 
 #include <array>
 #include <vector>
@@ -19,8 +19,8 @@ constexpr Index AtPlate = -2;
 /// Since a sheet is narrow at its rim, a piece between a free end and a plate is left out if it reaches
 /// less than a radius beyond the rim of the plate.
 /// @param isFree  are its ends free?
-std::vector<Centreline> rodPieces(
-  const Centreline& curve, const std::array<bool, 2>& isFree, double widthRatio);
+std::vector<Centerline> rodPieces(
+  const Centerline& curve, const std::array<bool, 2>& isFree, double widthRatio);
 }
 
 #endif

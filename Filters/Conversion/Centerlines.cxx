@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Conversion/Centrelines.h"
+#include "Conversion/Centerlines.h"
 
 #include "Conversion/ArrayNames.h"
 #include "Conversion/Arrays.h"
@@ -28,15 +28,15 @@ struct Polylines
   std::vector<std::vector<Index>> lines;
 };
 
-Polylines polylines(const Centrelines& lines)
+Polylines polylines(const Centerlines& lines)
 {
   Polylines result;
-  for (const CentrelineNode& node : lines.nodes)
+  for (const CenterlineNode& node : lines.nodes)
   {
     result.points.push_back(node.point);
     result.radii.push_back(node.radius);
   }
-  for (const Centreline& branch : lines.branches)
+  for (const Centerline& branch : lines.branches)
   {
     const auto [first, last] = branch.nodes;
     const Index firstNew = count(result.points);
@@ -65,7 +65,7 @@ Polylines polylines(const Centrelines& lines)
 }
 
 /// The mean along a branch.
-double meanRadius(const Centreline& branch)
+double meanRadius(const Centerline& branch)
 {
   const std::vector<double> at = lengths(branch.points);
   double sum = 0;
@@ -84,21 +84,21 @@ std::vector<Index> numbersOf(const Values& values)
   return result;
 }
 
-void addBranches(const std::vector<Centreline>& branches, vtkCellData* cells)
+void addBranches(const std::vector<Centerline>& branches, vtkCellData* cells)
 {
   add<vtkIdTypeArray>(cells, names::BranchId, numbersOf(branches));
   cells->AddArray(tuples<vtkIdTypeArray>(
-    names::BranchNodes, 2, branches, [](const Centreline& branch) { return branch.nodes; }));
+    names::BranchNodes, 2, branches, [](const Centerline& branch) { return branch.nodes; }));
   add<vtkDoubleArray>(cells, names::Length, branches,
-    [](const Centreline& branch) { return lengths(branch.points).back(); });
+    [](const Centerline& branch) { return lengths(branch.points).back(); });
   add<vtkDoubleArray>(cells, names::MeanRadius, branches, meanRadius);
-  add<vtkDoubleArray>(cells, names::MinimumRadius, branches, [](const Centreline& branch) {
+  add<vtkDoubleArray>(cells, names::MinimumRadius, branches, [](const Centerline& branch) {
     return *std::min_element(branch.radii.begin(), branch.radii.end());
   });
 }
 }
 
-void write(const Centrelines& lines, vtkPolyData* axis, vtkPolyData* output, vtkPolyData* nodes)
+void write(const Centerlines& lines, vtkPolyData* axis, vtkPolyData* output, vtkPolyData* nodes)
 {
   output->GetFieldData()->PassData(axis->GetFieldData());
   for (const char* ofBalls : { names::BallOwner, names::BallVolume, names::BallPoleVolume })
@@ -113,13 +113,13 @@ void write(const Centrelines& lines, vtkPolyData* axis, vtkPolyData* output, vtk
   addBranches(lines.branches, output->GetCellData());
   addOne<vtkIdTypeArray>(output->GetFieldData(), names::OpenedVoids, lines.openedVoids);
 
-  nodes->SetPoints(points(lines.nodes, [](const CentrelineNode& node) { return node.point; }));
+  nodes->SetPoints(points(lines.nodes, [](const CenterlineNode& node) { return node.point; }));
   nodes->SetVerts(vertexForEach(count(lines.nodes)));
   vtkPointData* data = nodes->GetPointData();
   add<vtkIdTypeArray>(data, names::NodeId, numbersOf(lines.nodes));
   add<vtkDoubleArray>(
-    data, names::MaximumInscribedSphereRadius, lines.nodes, &CentrelineNode::radius);
-  add<vtkIdTypeArray>(data, names::Degree, lines.nodes, &CentrelineNode::degree);
-  add<vtkUnsignedCharArray>(data, names::AtPlate, lines.nodes, &CentrelineNode::isAtPlate);
+    data, names::MaximumInscribedSphereRadius, lines.nodes, &CenterlineNode::radius);
+  add<vtkIdTypeArray>(data, names::Degree, lines.nodes, &CenterlineNode::degree);
+  add<vtkUnsignedCharArray>(data, names::AtPlate, lines.nodes, &CenterlineNode::isAtPlate);
 }
 }

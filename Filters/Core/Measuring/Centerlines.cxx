@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Measuring/Centrelines.h"
+#include "Measuring/Centerlines.h"
 
 #include "Base/BallTree.h"
 #include "Base/Errors.h"
@@ -18,7 +18,7 @@ namespace medial
 {
 namespace
 {
-void check(const MedialAxis& axis, const CentrelineOptions& options)
+void check(const MedialAxis& axis, const CenterlineOptions& options)
 {
   if (!(options.widthRatio >= 0))
   {
@@ -45,10 +45,10 @@ BallTree ballsOf(const MedialAxis& axis)
 
 /// No ball is smaller than what the balls of the axis leave around its centre: in a fork a curve may have
 /// left the axis, so that the means of its radii say too little.
-void enlarge(const BallTree& solid, std::vector<Centreline>& curves, const Execution& execution)
+void enlarge(const BallTree& solid, std::vector<Centerline>& curves, const Execution& execution)
 {
   execution.forEach(count(curves), [&](Index i) {
-    Centreline& curve = curves[i];
+    Centerline& curve = curves[i];
     for (std::size_t j = 0; j < curve.points.size(); ++j)
     {
       curve.radii[j] = std::max(curve.radii[j], -solid.distance(curve.points[j]));
@@ -58,11 +58,11 @@ void enlarge(const BallTree& solid, std::vector<Centreline>& curves, const Execu
 }
 
 /// Smoothed curves that meet at nodes, which are points of the axis.
-std::vector<Centreline> wholeCurves(const MedialAxis& axis, const std::vector<double>& times,
+std::vector<Centerline> wholeCurves(const MedialAxis& axis, const std::vector<double>& times,
   const std::vector<Edge>& edges, const Execution& execution)
 {
   const std::vector<CurveBranch> branches = curveBranches(axis, times, edges);
-  std::vector<Centreline> result(branches.size());
+  std::vector<Centerline> result(branches.size());
   execution.forEach(
     count(branches), [&](Index i) { result[i] = smoothed(axis, times, branches[i]); });
   const BallTree solid = ballsOf(axis);
@@ -71,22 +71,22 @@ std::vector<Centreline> wholeCurves(const MedialAxis& axis, const std::vector<do
   return result;
 }
 
-std::vector<Centreline> cutAtPlates(
-  const std::vector<Centreline>& curves, Index pointCount, double widthRatio)
+std::vector<Centerline> cutAtPlates(
+  const std::vector<Centerline>& curves, Index pointCount, double widthRatio)
 {
   std::vector<Index> degree(pointCount, 0);
-  for (const Centreline& curve : curves)
+  for (const Centerline& curve : curves)
   {
     for (const Index node : curve.nodes)
     {
       degree[std::max(node, 0)] += node != None ? 1 : 0;
     }
   }
-  std::vector<Centreline> result;
-  for (const Centreline& curve : curves)
+  std::vector<Centerline> result;
+  for (const Centerline& curve : curves)
   {
     const auto isFree = [&](Index node) { return node != None && degree[node] == 1; };
-    for (Centreline& piece :
+    for (Centerline& piece :
       rodPieces(curve, { isFree(curve.nodes[0]), isFree(curve.nodes[1]) }, widthRatio))
     {
       result.push_back(std::move(piece));
@@ -96,11 +96,11 @@ std::vector<Centreline> cutAtPlates(
 }
 
 /// Numbers the nodes in the order of the branches. A loop that meets nothing has none.
-Centrelines numbered(std::vector<Centreline> curves, Index pointCount)
+Centerlines numbered(std::vector<Centerline> curves, Index pointCount)
 {
-  Centrelines result{ std::move(curves), {}, 0 };
+  Centerlines result{ std::move(curves), {}, 0 };
   std::vector<Index> numberOf(pointCount, None);
-  for (Centreline& branch : result.branches)
+  for (Centerline& branch : result.branches)
   {
     for (const bool isLast : { false, true })
     {
@@ -123,12 +123,12 @@ Centrelines numbered(std::vector<Centreline> curves, Index pointCount)
         numberOf[node] = number;
       }
       node = number;
-      CentrelineNode& here = result.nodes[number];
+      CenterlineNode& here = result.nodes[number];
       ++here.degree;
       here.radius += (radius - here.radius) / here.degree; // the mean
     }
   }
-  for (Centreline& branch : result.branches)
+  for (Centerline& branch : result.branches)
   {
     if (branch.nodes[0] != None)
     {
@@ -140,20 +140,20 @@ Centrelines numbered(std::vector<Centreline> curves, Index pointCount)
 }
 }
 
-Centrelines centrelines(
-  const MedialAxis& axis, const CentrelineOptions& options, const Execution& execution)
+Centerlines centerlines(
+  const MedialAxis& axis, const CenterlineOptions& options, const Execution& execution)
 {
   check(axis, options);
   const std::vector<double> times = burnTimes(axis);
   const CurveSkeleton skeleton = curveSkeleton(axis, times, execution.between(0, 0.5));
   const std::vector<Edge> edges =
     withoutTwigs(axis, times, skeleton.edges, execution.between(0.5, 0.6));
-  std::vector<Centreline> curves = wholeCurves(axis, times, edges, execution.between(0.6, 1));
+  std::vector<Centerline> curves = wholeCurves(axis, times, edges, execution.between(0.6, 1));
   if (options.widthRatio > 0)
   {
     curves = cutAtPlates(curves, count(axis.points), options.widthRatio);
   }
-  Centrelines result = numbered(std::move(curves), count(axis.points));
+  Centerlines result = numbered(std::move(curves), count(axis.points));
   result.openedVoids = skeleton.openedVoids;
   execution.report(1);
   return result;

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef medial_Centrelines_h
-#define medial_Centrelines_h
+#ifndef medial_Centerlines_h
+#define medial_Centerlines_h
 
 #include "Axis/MedialAxis.h"
 #include "Base/Execution.h"
 #include "Base/Types.h"
-#include "Measuring/Centreline.h"
+#include "Measuring/Centerline.h"
 
 #include <vector>
 
 namespace medial
 {
-/// Where centrelines meet or end.
-struct CentrelineNode
+/// Where centerlines meet or end.
+struct CenterlineNode
 {
   Point point;
   double radius;
-  Index degree;   ///< so many ends of centrelines are here
+  Index degree;   ///< so many ends of centerlines are here
   bool isAtPlate; ///< the rod goes on as a plate
 };
 
-struct Centrelines
+struct Centerlines
 {
-  std::vector<Centreline> branches; ///< their ends are numbers of nodes
-  std::vector<CentrelineNode> nodes;
+  std::vector<Centerline> branches; ///< their ends are numbers of nodes
+  std::vector<CenterlineNode> nodes;
   Index openedVoids; ///< see CurveSkeleton; plates, so they matter with curves on plates only
 };
 
-struct CentrelineOptions
+struct CenterlineOptions
 {
   /// A sheet of the axis up to so many times as wide as thick is a rod; 0: curves run through plates,
   /// too. Then they are connected as the axis is, and have its loops.
@@ -47,8 +47,8 @@ struct CentrelineOptions
 ///
 /// @throw InvalidInput  a ratio that is negative or no number, or no erosion thickness
 /// @throw Aborted
-Centrelines centrelines(
-  const MedialAxis& axis, const CentrelineOptions& options = {}, const Execution& execution = {});
+Centerlines centerlines(
+  const MedialAxis& axis, const CenterlineOptions& options = {}, const Execution& execution = {});
 }
 
 #endif

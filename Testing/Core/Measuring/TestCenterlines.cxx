@@ -2,17 +2,17 @@
 #include "Pipelines.h"
 
 #include "Axis/Erosion.h"
-#include "Measuring/Centrelines.h"
+#include "Measuring/Centerlines.h"
 #include "Rods.h"
 
 #include <cmath>
 #include <limits>
 
 using complexes::Drawing;
-using medial::Centreline;
-using medial::CentrelineNode;
-using medial::CentrelineOptions;
-using medial::Centrelines;
+using medial::Centerline;
+using medial::CenterlineNode;
+using medial::CenterlineOptions;
+using medial::Centerlines;
 using medial::Index;
 using medial::MedialAxis;
 using medial::None;
@@ -23,19 +23,19 @@ using rods::Rod;
 
 namespace
 {
-const CentrelineOptions everywhere{ 0 };
+const CenterlineOptions everywhere{ 0 };
 
 MedialAxis axisOfSamples(const std::vector<Point>& samples)
 {
   return medial::medialAxis(medial::polarBalls(samples));
 }
 
-Centrelines linesOf(const std::vector<Point>& samples)
+Centerlines linesOf(const std::vector<Point>& samples)
 {
-  return medial::centrelines(axisOfSamples(samples));
+  return medial::centerlines(axisOfSamples(samples));
 }
 
-double lengthOf(const Centreline& branch)
+double lengthOf(const Centerline& branch)
 {
   return medial::lengths(branch.points).back();
 }
@@ -49,7 +49,7 @@ MedialAxis burnt(const Drawing& drawing)
 }
 
 /// Pieces and loops of the graph of branches and nodes; loops without nodes have one of each.
-medial::Betti bettiOf(const Centrelines& lines)
+medial::Betti bettiOf(const Centerlines& lines)
 {
   validators::Complex graph;
   const Index nodes = medial::count(lines.nodes);
@@ -64,10 +64,10 @@ medial::Betti bettiOf(const Centrelines& lines)
 }
 
 /// Nodes are where branches end, and know how many do.
-void expectConsistent(const Centrelines& lines)
+void expectConsistent(const Centerlines& lines)
 {
   std::vector<Index> degrees(lines.nodes.size(), 0);
-  for (const Centreline& branch : lines.branches)
+  for (const Centerline& branch : lines.branches)
   {
     ASSERT_GE(branch.points.size(), 2u);
     ASSERT_EQ(branch.points.size(), branch.radii.size());
@@ -91,15 +91,15 @@ void expectConsistent(const Centrelines& lines)
   }
 }
 
-std::string bytesOf(const Centrelines& lines)
+std::string bytesOf(const Centerlines& lines)
 {
   pipelines::Bytes bytes;
-  for (const Centreline& branch : lines.branches)
+  for (const Centerline& branch : lines.branches)
   {
     bytes.add(branch.points).add(branch.radii).add(branch.halfWidths);
     bytes.add(branch.nodes[0]).add(branch.nodes[1]);
   }
-  for (const CentrelineNode& node : lines.nodes)
+  for (const CenterlineNode& node : lines.nodes)
   {
     bytes.add(node.point).add(node.radius).add(node.degree).add(node.isAtPlate);
   }
@@ -107,7 +107,7 @@ std::string bytesOf(const Centrelines& lines)
 }
 
 /// How many branches and nodes there are.
-std::vector<std::size_t> countsOf(const Centrelines& lines)
+std::vector<std::size_t> countsOf(const Centerlines& lines)
 {
   return { lines.branches.size(), lines.nodes.size() };
 }
@@ -120,10 +120,10 @@ struct Miss
 };
 
 /// How far lines are at most from the middle of rods, and their radii from those of the rods.
-Miss miss(const Centrelines& lines, const std::vector<Rod>& all)
+Miss miss(const Centerlines& lines, const std::vector<Rod>& all)
 {
   Miss worst{ 0, 0, 0 };
-  for (const Centreline& branch : lines.branches)
+  for (const Centerline& branch : lines.branches)
   {
     for (std::size_t i = 0; i < branch.points.size(); ++i)
     {
@@ -136,7 +136,7 @@ Miss miss(const Centrelines& lines, const std::vector<Rod>& all)
       const double radiusMiss = std::abs(branch.radii[i] / radius - 1);
       worst.radius = std::max(worst.radius, radiusMiss);
       const bool isInFork =
-        std::any_of(lines.nodes.begin(), lines.nodes.end(), [&](const CentrelineNode& node) {
+        std::any_of(lines.nodes.begin(), lines.nodes.end(), [&](const CenterlineNode& node) {
           return node.degree > 2 && (x - node.point).norm() <= node.radius;
         });
       worst.radiusOutsideForks = std::max(worst.radiusOutsideForks, isInFork ? 0 : radiusMiss);
@@ -146,13 +146,13 @@ Miss miss(const Centrelines& lines, const std::vector<Rod>& all)
 }
 }
 
-TEST(Centrelines, OfAVesselTreeAreItsVessels)
+TEST(Centerlines, OfAVesselTreeAreItsVessels)
 {
   const rods::Frame tree = rods::vesselTree();
   for (const unsigned seed : { 1u, 2u, 3u })
   {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    const Centrelines lines = linesOf(rods::samples(tree.rods(), 0.08, seed));
+    const Centerlines lines = linesOf(rods::samples(tree.rods(), 0.08, seed));
     expectConsistent(lines);
     EXPECT_EQ(countsOf(lines), (std::vector<std::size_t>{ 8, 8 }));
     EXPECT_EQ(bettiOf(lines), (medial::Betti{ 1, 1, 0 }));
@@ -170,9 +170,9 @@ TEST(Centrelines, OfAVesselTreeAreItsVessels)
   }
 }
 
-TEST(Centrelines, OfASpringIsOneOfItsLength)
+TEST(Centerlines, OfASpringIsOneOfItsLength)
 {
-  const Centrelines lines = linesOf(rods::spring(4, 0.12, 0.15, 0.055, 1));
+  const Centerlines lines = linesOf(rods::spring(4, 0.12, 0.15, 0.055, 1));
   expectConsistent(lines);
   EXPECT_EQ(countsOf(lines), (std::vector<std::size_t>{ 1, 2 }));
   EXPECT_NEAR(lengthOf(lines.branches[0]) / (8 * rods::pi * std::sqrt(1 + 0.12 * 0.12)), 1, 0.005);
@@ -182,9 +182,9 @@ TEST(Centrelines, OfASpringIsOneOfItsLength)
   }
 }
 
-TEST(Centrelines, OfARingCloses)
+TEST(Centerlines, OfARingCloses)
 {
-  const Centrelines lines = medial::centrelines(pipelines::of("torus").axis());
+  const Centerlines lines = medial::centerlines(pipelines::of("torus").axis());
   expectConsistent(lines);
   EXPECT_EQ(countsOf(lines), (std::vector<std::size_t>{ 1, 0 }));
   EXPECT_NEAR(lengthOf(lines.branches[0]) / (4 * rods::pi), 1, 0.005);
@@ -195,12 +195,12 @@ TEST(Centrelines, OfARingCloses)
   }
 }
 
-TEST(Centrelines, OfFramesAreTheirEdges)
+TEST(Centerlines, OfFramesAreTheirEdges)
 {
   for (const rods::Frame& frame : { rods::cubeFrame(), rods::tetrahedronFrame() })
   {
     SCOPED_TRACE(testing::Message() << frame.edges.size() << " edges, seed 1");
-    const Centrelines lines = linesOf(rods::samples(frame.rods(), 0.07, 1));
+    const Centerlines lines = linesOf(rods::samples(frame.rods(), 0.07, 1));
     expectConsistent(lines);
     EXPECT_EQ(
       countsOf(lines), (std::vector<std::size_t>{ frame.edges.size(), frame.nodes.size() }));
@@ -208,22 +208,22 @@ TEST(Centrelines, OfFramesAreTheirEdges)
   }
 }
 
-TEST(Centrelines, EndInTheMiddleWhereARodIsCutOff)
+TEST(Centerlines, EndInTheMiddleWhereARodIsCutOff)
 {
-  const Centrelines lines = linesOf(rods::cylinder(0.15, 1));
+  const Centerlines lines = linesOf(rods::cylinder(0.15, 1));
   ASSERT_EQ(countsOf(lines), (std::vector<std::size_t>{ 1, 2 }));
-  for (const CentrelineNode& node : lines.nodes)
+  for (const CenterlineNode& node : lines.nodes)
   {
     EXPECT_NEAR(node.point.head<2>().norm(), 0, 0.05);
     EXPECT_NEAR(std::abs(node.point.z()), 1, 0.05);
   }
 }
 
-TEST(Centrelines, AreOfRodsAlone)
+TEST(Centerlines, AreOfRodsAlone)
 {
   const auto lengthAtWidth = [](double width) {
     double result = 0;
-    for (const Centreline& branch : linesOf(rods::ellipticRod(width, 0.4, 0.1, 1)).branches)
+    for (const Centerline& branch : linesOf(rods::ellipticRod(width, 0.4, 0.1, 1)).branches)
     {
       result += lengthOf(branch);
     }
@@ -231,10 +231,10 @@ TEST(Centrelines, AreOfRodsAlone)
   };
   EXPECT_NEAR(lengthAtWidth(0.5), 6, 0.6);
   EXPECT_EQ(lengthAtWidth(0.8), 0);
-  EXPECT_EQ(medial::centrelines(pipelines::of("ellipsoid").axis()).branches.size(), 0u);
+  EXPECT_EQ(medial::centerlines(pipelines::of("ellipsoid").axis()).branches.size(), 0u);
 }
 
-TEST(Centrelines, EndWhereAPlateBegins)
+TEST(Centerlines, EndWhereAPlateBegins)
 {
   // A plate with a handle.
   Drawing drawing;
@@ -244,18 +244,18 @@ TEST(Centrelines, EndWhereAPlateBegins)
     const Index from = drawing.point(i, 0, 0);
     drawing.edge(from, drawing.point(i + 1, 0, 0));
   }
-  const Centrelines lines = medial::centrelines(burnt(drawing));
+  const Centerlines lines = medial::centerlines(burnt(drawing));
   expectConsistent(lines);
   ASSERT_EQ(countsOf(lines), (std::vector<std::size_t>{ 1, 2 }));
   EXPECT_NEAR(lengthOf(lines.branches[0]), 30, 2);
   EXPECT_EQ(lines.nodes[0].isAtPlate + lines.nodes[1].isAtPlate, 1);
 }
 
-TEST(Centrelines, KeepPiecesAndLoops)
+TEST(Centerlines, KeepPiecesAndLoops)
 {
   forEachShape([](Pipeline& pipeline) {
     const MedialAxis& axis = pipeline.axis();
-    const Centrelines lines = medial::centrelines(axis, everywhere);
+    const Centerlines lines = medial::centerlines(axis, everywhere);
     expectConsistent(lines);
     const auto points = static_cast<Index>(axis.cells.vertices.size()); // pieces without a line
     EXPECT_EQ(bettiOf(lines), (medial::Betti{ axis.betti[0] - points, axis.betti[1], 0 }));
@@ -263,20 +263,20 @@ TEST(Centrelines, KeepPiecesAndLoops)
   });
 }
 
-TEST(Centrelines, KeepPiecesAndLoopsOfDrawings)
+TEST(Centerlines, KeepPiecesAndLoopsOfDrawings)
 {
   for (const Drawing& drawing :
     { complexes::cycleWithLoop(), complexes::cycleWithoutLoop(), complexes::bandWithFin(),
       complexes::fourNodesAndSixParts(), complexes::boxAxis(), complexes::closedSheet(3) })
   {
     const MedialAxis axis = burnt(drawing);
-    const Centrelines lines = medial::centrelines(axis, everywhere);
+    const Centerlines lines = medial::centerlines(axis, everywhere);
     EXPECT_EQ(bettiOf(lines), (medial::Betti{ axis.betti[0], axis.betti[1], 0 }));
     EXPECT_EQ(lines.openedVoids, axis.betti[2]);
   }
 }
 
-TEST(Centrelines, AreTheSameOfMovedAndMirroredSamples)
+TEST(Centerlines, AreTheSameOfMovedAndMirroredSamples)
 {
   const std::vector<Point> samples = rods::samples(rods::vesselTree().rods(), 0.1, 4);
   std::vector<Point> mirrored = samples;
@@ -291,35 +291,35 @@ TEST(Centrelines, AreTheSameOfMovedAndMirroredSamples)
   EXPECT_EQ(countsOf(linesOf(shapes::moved(samples, Point(50, -70, 9)))), counts);
 }
 
-TEST(Centrelines, DontDependOnThreads)
+TEST(Centerlines, DontDependOnThreads)
 {
   const MedialAxis& axis = pipelines::of("two-hole plate").axis();
-  EXPECT_EQ(bytesOf(medial::centrelines(axis, everywhere)),
-    bytesOf(medial::centrelines(axis, everywhere, pipelines::threaded())));
+  EXPECT_EQ(bytesOf(medial::centerlines(axis, everywhere)),
+    bytesOf(medial::centerlines(axis, everywhere, pipelines::threaded())));
 }
 
-TEST(Centrelines, ReportProgressAndStop)
+TEST(Centerlines, ReportProgressAndStop)
 {
   pipelines::expectProgressAndAbort([](const medial::Execution& execution) {
-    medial::centrelines(pipelines::of("knot").axis(), {}, execution);
+    medial::centerlines(pipelines::of("knot").axis(), {}, execution);
   });
 }
 
-TEST(Centrelines, RefuseWhatTheyCantUse)
+TEST(Centerlines, RefuseWhatTheyCantUse)
 {
   MedialAxis axis = pipelines::of("torus").axis();
   for (const double ratio : { -1.0, std::numeric_limits<double>::quiet_NaN() })
   {
-    EXPECT_THROW(medial::centrelines(axis, { ratio }), medial::InvalidInput);
+    EXPECT_THROW(medial::centerlines(axis, { ratio }), medial::InvalidInput);
   }
   axis.erosion.clear();
-  EXPECT_THROW(medial::centrelines(axis), medial::InvalidInput);
+  EXPECT_THROW(medial::centerlines(axis), medial::InvalidInput);
 }
 
-TEST(Centrelines, OfNothingAreNone)
+TEST(Centerlines, OfNothingAreNone)
 {
-  EXPECT_TRUE(medial::centrelines(Drawing().axis()).branches.empty());
+  EXPECT_TRUE(medial::centerlines(Drawing().axis()).branches.empty());
   Drawing drawing;
   drawing.vertex(drawing.point(0, 0, 0));
-  EXPECT_TRUE(medial::centrelines(drawing.axis()).branches.empty());
+  EXPECT_TRUE(medial::centerlines(drawing.axis()).branches.empty());
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef medial_Centreline_h
-#define medial_Centreline_h
+#ifndef medial_Centerline_h
+#define medial_Centerline_h
 
 #include "Base/Types.h"
 
@@ -10,7 +10,7 @@
 namespace medial
 {
 /// A polyline along the middle of a rod.
-struct Centreline
+struct Centerline
 {
   // One entry for each of its points, two or more; the first is repeated at the end of a loop.
   std::vector<Point> points;
