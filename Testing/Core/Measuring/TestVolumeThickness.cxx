@@ -171,7 +171,7 @@ TEST(VolumeThickness, IsThatOfVoxelsOfNoSizeOfASponge)
   cube.margin = 0; // the solid isn't cut at the cube's faces
   const VolumeThickness measuredInCube = measured(balls, cube);
 
-  constexpr double size = 1.05, step = 0.02;
+  constexpr double size = 1.05, step = 0.026;
   const auto inCube = [half](const Point& p) { return p.cwiseAbs().maxCoeff() < half; };
   const auto inside = [&](const Point& p) { return sponge.contains(p); };
   const double thickness = shapes::voxelThickness(inside, inCube, size, step);
