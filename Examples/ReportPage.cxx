@@ -7,7 +7,10 @@
 #include "PagePictures.h"
 #include "ThicknessMap.h"
 
+#include <vtkFieldData.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <exception>
@@ -54,6 +57,13 @@ void ReportPage::write(
   vtkSimplifyShape* simplify, const PageHead& head, Progress& progress, OutputFolder& folder)
 {
   const ThicknessMap map = thicknessMap(simplify, progress);
+  if (!head.unit.empty())
+  {
+    vtkNew<vtkStringArray> unit;
+    unit->SetName("Unit");
+    unit->InsertNextValue(head.unit);
+    map.surface->GetFieldData()->AddArray(unit);
+  }
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(map.surface);
   writer->SetDataModeToBinary(); // see Results

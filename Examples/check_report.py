@@ -130,6 +130,8 @@ class ReportPage(ProgramTest):
         self.assertNotIn("Bouxsein", page.text)
         page, report, _ = self.page(points, "--morphometry", "--unit", "mm", environment=self.blind())
         self.assertIn("Bouxsein", page.text)
+        with open(self.path("out/thickness.vtp")) as thickness:
+            self.assertIn('Name="Unit"', thickness.read())
         values, units = report["morphometry"]["values"], report["morphometry"]["units"]
         self.assertGreater(len(values), 10)
         for name, value in values.items():
