@@ -105,7 +105,8 @@ double medianRatio(const MedialAxis& axis, const PlatesAndRods& found)
   double whole = 0;
   for (Index p = 0; p < medial::count(axis.points); ++p)
   {
-    const double volume = axis.ballVolumes[axis.ballOfPoint[p]];
+    const Index ball = axis.ballOfPoint[p];
+    const double volume = ball == medial::None ? 0 : axis.ballVolumes[ball];
     ratios.push_back({ found.widths.ratio[p], volume });
     whole += volume;
   }
