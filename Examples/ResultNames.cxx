@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResultNames.h"
 
-#include <regex>
+#include <charconv>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -11,9 +11,23 @@ std::string partFileName(vtkIdType part)
   return "part-" + std::to_string(part) + ".stl";
 }
 
+namespace
+{
+bool isPartFileName(const std::string& name)
+{
+  const std::string beforeNumber = "part-";
+  if (name.compare(0, beforeNumber.size(), beforeNumber) != 0)
+  {
+    return false;
+  }
+  vtkIdType part = -1;
+  std::from_chars(name.data() + beforeNumber.size(), name.data() + name.size(), part);
+  return part >= 0 && name == partFileName(part);
+}
+}
+
 std::set<std::string> resultNames(const fs::path& folder)
 {
-  static const std::regex part("part-(0|[1-9][0-9]*)\\.stl");
   std::set<std::string> result = { "balls.vtu", "samples.vtp", "axis.vtp", "parts.vtp",
     "pruned.vtp", "surface.vtp", "surface.stl", "parts.csv", "history.csv", "morphometry.csv",
     "report.json", "axis.ma", "pruned.ma", "exported.csv", "thickness.vtp", "report.html",
@@ -23,7 +37,7 @@ std::set<std::string> resultNames(const fs::path& folder)
   {
     const std::string name = entry.path().filename().string();
     std::error_code ignored;
-    if (std::regex_match(name, part) && !fs::is_directory(entry.symlink_status(ignored)))
+    if (isPartFileName(name) && !fs::is_directory(entry.symlink_status(ignored)))
     {
       result.insert(name);
     }
