@@ -81,42 +81,42 @@ bool isSharedOut(vtkDataObject* data)
   return data && data->GetFieldData() && data->GetFieldData()->HasArray(names::ObjectId);
 }
 
-vtkPolyData* axisOf(vtkUnstructuredGrid* balls, vtkDataObject* axes)
+namespace
 {
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(axes);
+/// The data, or the first of its blocks for which isOwn(block).
+/// @throw InvalidInput  there is no such block
+template <typename IsOwn>
+vtkPolyData* ownBlock(vtkDataObject* data, const IsOwn& isOwn, const char* message)
+{
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
   if (!blocks)
   {
-    return vtkPolyData::SafeDownCast(axes);
+    return vtkPolyData::SafeDownCast(data);
   }
   for (auto block = firstBlock(blocks); !block->IsDoneWithTraversal(); block->GoToNextItem())
   {
-    auto* axis = vtkPolyData::SafeDownCast(block->GetCurrentDataObject());
-    if (axis && isMadeFrom(axis, balls))
+    auto* candidate = vtkPolyData::SafeDownCast(block->GetCurrentDataObject());
+    if (candidate && isOwn(candidate))
     {
-      return axis;
+      return candidate;
     }
   }
-  throw InvalidInput(
+  throw InvalidInput(message);
+}
+}
+
+vtkPolyData* axisOf(vtkUnstructuredGrid* balls, vtkDataObject* axes)
+{
+  return ownBlock(
+    axes, [balls](vtkPolyData* axis) { return isMadeFrom(axis, balls); },
     "no block of the axis was made from these balls: take the blocks that vtkMedialAxis or "
     "vtkMedialPrune made from them");
 }
 
 vtkPolyData* surfaceOf(vtkUnstructuredGrid* balls, vtkDataObject* surfaces)
 {
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(surfaces);
-  if (!blocks)
-  {
-    return vtkPolyData::SafeDownCast(surfaces);
-  }
-  for (auto block = firstBlock(blocks); !block->IsDoneWithTraversal(); block->GoToNextItem())
-  {
-    auto* surface = vtkPolyData::SafeDownCast(block->GetCurrentDataObject());
-    if (surface && isSurfaceOf(balls, surface))
-    {
-      return surface;
-    }
-  }
-  throw InvalidInput(
+  return ownBlock(
+    surfaces, [balls](vtkPolyData* surface) { return isSurfaceOf(balls, surface); },
     "no block of the surface was made from these balls: take the blocks that vtkPowerCrust or "
     "vtkSimplifyShape made from them");
 }

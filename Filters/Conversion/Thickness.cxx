@@ -40,19 +40,6 @@ void addPlaces(const ThicknessReport& report, vtkPointData* data)
   data->SetActiveScalars(names::Thickness);
 }
 
-std::vector<double> known(const std::vector<double>& values)
-{
-  std::vector<double> result;
-  for (const double value : values)
-  {
-    if (!std::isnan(value))
-    {
-      result.push_back(value);
-    }
-  }
-  return result;
-}
-
 /// A row for each quantity and each way to weigh.
 void addMeans(const ThicknessReport& report, vtkTable* table)
 {

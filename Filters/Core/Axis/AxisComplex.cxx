@@ -18,6 +18,17 @@ void appendCellData(const AxisComplex& from, Index cell, AxisComplex& to)
   to.siteViews.push_back(from.siteViews[cell]);
 }
 
+std::vector<Ball> maximalBalls(const AxisComplex& axis)
+{
+  std::vector<Ball> result;
+  result.reserve(axis.points.size());
+  for (std::size_t p = 0; p < axis.points.size(); ++p)
+  {
+    result.push_back({ axis.points[p], axis.radii[p] });
+  }
+  return result;
+}
+
 std::vector<Ball> cornerBalls(const AxisComplex& axis, Index cell)
 {
   std::vector<Ball> result;

@@ -32,6 +32,9 @@ double triangleArea(const AxisComplex& axis, const Triangle& corners);
 /// Appends what is known of a cell beside its corners to that of another complex's cells.
 void appendCellData(const AxisComplex& from, Index cell, AxisComplex& to);
 
+/// The maximal balls at all points.
+std::vector<Ball> maximalBalls(const AxisComplex& axis);
+
 /// The maximal balls at the corners of a cell.
 std::vector<Ball> cornerBalls(const AxisComplex& axis, Index cell);
 }

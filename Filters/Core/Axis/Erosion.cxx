@@ -260,13 +260,7 @@ Erosion erosion(const AxisComplex& axis, const Execution& execution)
   const Sectors sectors(axis.cells, count(axis.points));
   execution.poll();
   const Fire fire(axis, sectors, execution);
-  std::vector<Ball> balls;
-  balls.reserve(axis.points.size());
-  for (Index p = 0; p < count(axis.points); ++p)
-  {
-    balls.push_back({ axis.points[p], axis.radii[p] });
-  }
-  double largest = boundingDiagonal(balls);
+  double largest = boundingDiagonal(maximalBalls(axis));
   for (Index corner = 0; corner < sectors.cornerCount(); ++corner)
   {
     const double thickness = fire.thickness(corner);

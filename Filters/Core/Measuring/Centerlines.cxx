@@ -33,16 +33,6 @@ void check(const MedialAxis& axis, const CenterlineOptions& options)
   }
 }
 
-BallTree ballsOf(const MedialAxis& axis)
-{
-  std::vector<Ball> balls;
-  for (std::size_t i = 0; i < axis.points.size(); ++i)
-  {
-    balls.push_back({ axis.points[i], axis.radii[i] });
-  }
-  return BallTree(balls);
-}
-
 /// No ball is smaller than what the balls of the axis leave around its centre: in a fork a curve may have
 /// left the axis, so that the means of its radii say too little.
 void enlarge(const BallTree& solid, std::vector<Centerline>& curves, const Execution& execution)
@@ -65,7 +55,7 @@ std::vector<Centerline> wholeCurves(const MedialAxis& axis, const std::vector<do
   std::vector<Centerline> result(branches.size());
   execution.forEach(
     count(branches), [&](Index i) { result[i] = smoothed(axis, times, branches[i]); });
-  const BallTree solid = ballsOf(axis);
+  const BallTree solid(maximalBalls(axis));
   joinAtForks(axis, solid, result);
   enlarge(solid, result, execution.between(0.5, 1));
   return result;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -55,6 +56,15 @@ inline Distribution distribution(const std::vector<double>& values)
     const double share = result.largest > 0 ? std::max(value / result.largest, 0.0) : 0;
     ++result.histogram[std::min(static_cast<int>(share * bins), bins - 1)];
   }
+  return result;
+}
+
+/// The values that are numbers.
+inline std::vector<double> known(const std::vector<double>& values)
+{
+  std::vector<double> result;
+  std::copy_if(values.begin(), values.end(), std::back_inserter(result),
+    [](double value) { return !std::isnan(value); });
   return result;
 }
 }

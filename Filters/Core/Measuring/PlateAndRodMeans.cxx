@@ -37,17 +37,6 @@ MedialAxis withRadii(MedialAxis axis, const std::vector<double>& distances)
   }
   return axis;
 }
-
-/// The diagonal of the box around the balls of the axis: nothing is wider.
-double diagonal(const MedialAxis& axis)
-{
-  std::vector<Ball> balls;
-  for (std::size_t i = 0; i < axis.points.size(); ++i)
-  {
-    balls.push_back({ axis.points[i], axis.radii[i] });
-  }
-  return boundingDiagonal(balls);
-}
 }
 
 PlateAndRodMeans plateAndRodMeans(const MedialAxis& made, const std::vector<double>& distances,
@@ -56,7 +45,7 @@ PlateAndRodMeans plateAndRodMeans(const MedialAxis& made, const std::vector<doub
   const MedialAxis axis = withRadii(made, distances);
   const PlatesAndRods found = platesAndRods(axis, {}, execution);
   const std::vector<double> volumes = pointVolumes(axis);
-  const double widest = diagonal(axis);
+  const double widest = boundingDiagonal(maximalBalls(axis)); // nothing is wider
   PlateAndRodMeans result;
   WeightedMean thickness[2], width; // of rods, of plates
   for (std::size_t i = 0; i < volumes.size(); ++i)

@@ -168,14 +168,6 @@ std::vector<double> diameters(const LargestBalls& balls, const std::vector<Place
   return result;
 }
 
-std::vector<double> known(const std::vector<double>& values)
-{
-  std::vector<double> result;
-  std::copy_if(values.begin(), values.end(), std::back_inserter(result),
-    [](double value) { return !std::isnan(value); });
-  return result;
-}
-
 /// The values of places that are at least so far from the faces.
 std::vector<double> away(const std::vector<double>& values, const std::vector<Place>& places,
   const Eigen::AlignedBox3d& box, double margin)
