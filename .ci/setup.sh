@@ -13,7 +13,7 @@ picture_packages=(xvfb libgl1-mesa-dri)
 paraview_packages=(paraview paraview-dev libopenmpi-dev openmpi-bin libqt5svg5 qtbase5-dev
   qttools5-dev qtxmlpatterns5-dev-tools)
 test_packages=(libgtest-dev python3-numpy universal-ctags clang-format-14)
-gate_packages=(clang-tidy-14 gcovr)
+gate_packages=(clang-tidy-14)
 
 say() { printf '\n== %s\n' "$*"; }
 
