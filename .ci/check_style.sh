@@ -89,8 +89,10 @@ without_licence()
   awk 'FNR == 1 && !/SPDX-License-Identifier: BSD-3-Clause/ { print FILENAME }' "${sources[@]}"
 }
 
+# Versions of clang-format differ: a release without ours checks all but the format.
 badly_formatted()
 {
+  command -v clang-format-14 >/dev/null || { echo "The format is not checked: no clang-format-14." >&2; return 0; }
   clang-format-14 --style=file --dry-run --ferror-limit=1 "${sources[@]}" 2>&1 |
     sed -n 's/^\([^:]*\):.*should be clang-formatted.*/\1: run clang-format-14 -i \1/p' | sort -u
 }

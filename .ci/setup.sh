@@ -12,7 +12,7 @@ build_packages=(g++ cmake ninja-build ccache libvtk9-dev libvtk-dicom-dev libcga
 picture_packages=(xvfb libgl1-mesa-dri)
 paraview_packages=(paraview paraview-dev libopenmpi-dev openmpi-bin libqt5svg5 qtbase5-dev
   qttools5-dev qtxmlpatterns5-dev-tools)
-test_packages=(libgtest-dev python3-numpy universal-ctags clang-format-14)
+test_packages=(libgtest-dev python3-numpy universal-ctags 'clang-format-14?')
 gate_packages=(clang-tidy-14)
 
 say() { printf '\n== %s\n' "$*"; }
@@ -35,20 +35,28 @@ as_root()
   fi
 }
 
-# Installs those of the Debian packages that are missing.
+# Installs those of the Debian packages that are missing; NAME? only where the release has it.
 install_packages()
 {
-  local package missing=()
+  local package missing=() wanted=()
   command -v apt-get >/dev/null || fail "This script needs Debian 12 or a system like it (apt-get)."
   for package in "$@"; do
-    dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed ||
+    dpkg-query -W -f '${db:Status-Status}' "${package%\?}" 2>/dev/null | grep -qx installed ||
       missing+=("$package")
   done
   [ ${#missing[@]} = 0 ] && return
   say "Installing ${missing[*]}"
   as_root apt-get update -q
-  as_root env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -q -y --no-install-recommends "${missing[@]}"
+  for package in "${missing[@]}"; do
+    if [[ $package != *\? ]] || apt-cache show "${package%\?}" >/dev/null 2>&1; then
+      wanted+=("${package%\?}")
+    else
+      say "This release of Debian has no ${package%\?}: it does without"
+    fi
+  done
+  [ ${#wanted[@]} = 0 ] ||
+    as_root env DEBIAN_FRONTEND=noninteractive \
+      apt-get install -q -y --no-install-recommends "${wanted[@]}"
 }
 
 # Configures a folder with CMake: source, build folder, options. Shows CMake's words if it fails. The core is in

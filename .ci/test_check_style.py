@@ -193,6 +193,7 @@ class StyleCheck(unittest.TestCase):
         self.write("Testing/Free.h", "// nothing\n")
         self.expect("a source begins with its licence", "Testing/Free.h")
 
+    @unittest.skipUnless(shutil.which("clang-format-14"), "no clang-format-14 here")
     def test_the_format_is_wrong(self):
         self.write("Testing/Format.h", LICENCE + "int  two;\n")
         self.expect("sources are formatted by clang-format 14",
