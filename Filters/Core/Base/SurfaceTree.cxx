@@ -7,9 +7,13 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/version.h>
 
 #include <cmath>
 #include <limits>
+#if CGAL_VERSION_NR >= 1060000000
+#include <variant>
+#endif
 
 namespace medial
 {
@@ -21,6 +25,17 @@ using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 using Segment = Kernel::Segment_3;
 using Inside = CGAL::Side_of_triangle_mesh<Mesh, Kernel, CGAL::Default, Tree>;
+
+/// The variant that CGAL's intersections are: Boost's before CGAL 6.
+template <typename Shape, typename Variant>
+const Shape* ifIs(const Variant& variant)
+{
+#if CGAL_VERSION_NR >= 1060000000
+  return std::get_if<Shape>(&variant);
+#else
+  return boost::get<Shape>(&variant);
+#endif
+}
 
 Kernel::Point_3 toKernel(const Point& p)
 {
@@ -100,11 +115,11 @@ public:
     {
       return;
     }
-    if (const auto* point = boost::get<Kernel::Point_3>(&met->first))
+    if (const auto* point = ifIs<Kernel::Point_3>(met->first))
     {
       this->meet(*point, triangle);
     }
-    else if (const auto* along = boost::get<Segment>(&met->first)) // in the triangle's plane
+    else if (const auto* along = ifIs<Segment>(met->first)) // in the triangle's plane
     {
       this->meet(along->source(), triangle);
       this->meet(along->target(), triangle);
