@@ -161,7 +161,7 @@ inline std::deque<Pipeline>& all()
   return pipelines;
 }
 
-inline Pipeline& of(const std::string& name)
+inline Pipeline& of(const char* name)
 {
   for (Pipeline& pipeline : all())
   {
@@ -170,7 +170,7 @@ inline Pipeline& of(const std::string& name)
       return pipeline;
     }
   }
-  throw std::invalid_argument("no shape is called " + name);
+  throw std::invalid_argument("no shape is called " + std::string(name));
 }
 
 /// Runs the test for every shape, and says for which it fails.

@@ -67,7 +67,7 @@ private:
     }
     if (region.removed.size() == 1)
     {
-      return region.removed;
+      return { region.removed.front() };
     }
     const auto [first, second] = this->halves(region.removed);
     const Cells withFirst = this->cellsWith(first, region);
