@@ -10,8 +10,9 @@ export CCACHE_DIR=${CCACHE_DIR:-$build/ccache}
 
 build_packages=(g++ cmake ninja-build ccache libvtk9-dev libvtk-dicom-dev libcgal-dev libeigen3-dev)
 picture_packages=(xvfb libgl1-mesa-dri)
-paraview_packages=(paraview paraview-dev libopenmpi-dev openmpi-bin libqt5svg5 qtbase5-dev
-  qttools5-dev qtxmlpatterns5-dev-tools)
+paraview_packages=(paraview paraview-dev libopenmpi-dev openmpi-bin)
+qt5_packages=(qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5)
+qt6_packages=(qt6-base-dev libqt6svg6 qt6-svg-plugins)
 test_packages=(libgtest-dev python3-numpy universal-ctags 'clang-format-14?')
 gate_packages=(clang-tidy-14)
 
@@ -127,6 +128,17 @@ xvfb_answers()
   return 1
 }
 
+# Installs ParaView, and what plugins need of the Qt that it was built with.
+install_paraview()
+{
+  install_packages "${paraview_packages[@]}"
+  if dpkg-query -W -f '${Depends}' paraview | grep -q libqt5core; then
+    install_packages "${qt5_packages[@]}"
+  else
+    install_packages "${qt6_packages[@]}"
+  fi
+}
+
 # Makes a folder in which CMake and pvpython find a whole ParaView. Debian's python3-paraview, which
 # both need, can't be installed beside python3-vtk9, so it is unpacked there.
 paraview_prefix()
@@ -138,10 +150,13 @@ paraview_prefix()
   mkdir -p "$prefix/$libraries/cmake" "$prefix/usr/include"
   (cd "$prefix" && apt-get download -q -o APT::Sandbox::User=root python3-paraview &&
     dpkg -x python3-paraview_*.deb .)
-  cp -a "/$libraries/cmake/paraview-5.11" "$prefix/$libraries/cmake/"
-  ln -s /usr/include/paraview-5.11 "$prefix/usr/include/"
-  ln -s "/$libraries/paraview-5.11" "$prefix/$libraries/"
+  cp -a "/$libraries/cmake"/paraview-[0-9]* "$prefix/$libraries/cmake/"
+  ln -s /usr/include/paraview-[0-9]* "$prefix/usr/include/"
+  ln -s "/$libraries"/paraview-[0-9]* "$prefix/$libraries/"
   dpkg -L paraview paraview-dev | grep -E "^/$libraries/[^/]+\.(so[.0-9]*|a)$|^/usr/bin/" |
     while read -r file; do ln -sf "$file" "$prefix$file"; done
+  # CMake's files name Python's modules without the suffix that some releases give them.
+  find "$prefix/usr/lib/python3" -name '*.cpython-*.so' |
+    while read -r file; do ln -s "$(basename "$file")" "${file%.cpython-*}.so"; done
   touch "$prefix/complete"
 }

@@ -49,13 +49,15 @@ struct vtkBackgroundUpdate::vtkRun
     sender->AddObserver(vtkCommand::WarningEvent, this->Listener);
   }
 
+  /// Since VTK 9.2 a stopped run reports that it is done.
   void NoteProgress()
   {
-    this->Progress = this->Filter->GetProgress();
     if (this->Stopped)
     {
       this->Filter->SetAbortExecute(1);
+      return;
     }
+    this->Progress = this->Filter->GetProgress();
   }
 
   vtkSmartPointer<vtkAlgorithm> Filter;

@@ -15,6 +15,7 @@
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkMedialMeshWriter);
+medialAbortMacro(vtkMedialMeshWriter);
 
 vtkMedialMeshWriter::~vtkMedialMeshWriter()
 {

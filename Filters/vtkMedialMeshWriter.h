@@ -63,6 +63,15 @@ public:
    */
   std::string GetOutputString() const { return this->OutputString; }
 
+  /**
+   * How the writer is stopped, see vtkPolarBalls. Write() is 0 then, and an older file stays.
+   */
+  void SetAbortExecute(vtkTypeBool stop) override;
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector, int port, vtkMTimeType* mtime) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 protected:
   vtkMedialMeshWriter() = default;
   ~vtkMedialMeshWriter() override;

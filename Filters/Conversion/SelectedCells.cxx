@@ -7,6 +7,7 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkExtractSelection.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -138,8 +139,12 @@ std::vector<vtkIdType> selectedCells(vtkSelection* selection, vtkPolyData* axis,
   extraction->PreserveTopologyOn();
   extraction->SetInputData(0, cells);
   extraction->SetInputData(1, adapted);
-  extraction->Update();
+  const bool isEvaluated = extraction->GetExecutive()->Update() != 0;
   auto* output = vtkPolyData::SafeDownCast(extraction->GetOutputDataObject(0));
+  if (isEvaluated && output && output->GetNumberOfCells() == 0)
+  {
+    return {}; // how VTK since 9.3 says that no cell is selected
+  }
   vtkDataArray* inside = output ? output->GetCellData()->GetArray("vtkInsidedness") : nullptr;
   if (!inside)
   {

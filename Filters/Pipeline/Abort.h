@@ -46,17 +46,26 @@ inline void noteAbort(vtkAlgorithm* filter, vtkTypeBool stop)
   filter->GetInformation()->Set(abortWanted(), stop);
 }
 
+/// The tag of the observer that forgetAtEnd adds.
+inline vtkInformationIntegerKey* forgetter()
+{
+  static auto* const key = vtkInformationIntegerKey::MakeKey("FORGETTER", "MedialAxis");
+  return key;
+}
+
 /// Whatever stop was asked for until the run ends is followed by then. VTK since 9.2 reports progress once
-/// more after a stopped run, and who asks in such a report does not mean the next run.
+/// more after a stopped run, and who asks in such a report does not mean the next run. Writers report
+/// their end twice, the first time before that progress: so the observer stays until the next run.
 inline void forgetAtEnd(vtkAlgorithm* filter)
 {
+  vtkInformation* information = filter->GetInformation();
+  filter->RemoveObserver(static_cast<unsigned long>(information->Get(forgetter())));
   vtkNew<vtkCallbackCommand> forget;
-  forget->SetClientData(forget);
-  forget->SetCallback([](vtkObject* sender, unsigned long, void* self, void*) {
+  forget->SetCallback([](vtkObject* sender, unsigned long, void*, void*) {
     static_cast<vtkAlgorithm*>(sender)->GetInformation()->Set(abortWanted(), 0);
-    sender->RemoveObserver(static_cast<vtkCommand*>(self));
   });
-  filter->AddObserver(vtkCommand::EndEvent, forget);
+  information->Set(
+    forgetter(), static_cast<int>(filter->AddObserver(vtkCommand::EndEvent, forget)));
 }
 
 /// Before VTK takes the flag back, which it does after this request.

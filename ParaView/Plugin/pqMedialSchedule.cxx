@@ -91,6 +91,15 @@ public:
     return editor;
   }
 };
+
+/// Names the columns. ParaView 5.13 takes other strings than the versions before.
+template <typename Labels>
+void name(pqScalarValueListPropertyWidget* list,
+  void (pqScalarValueListPropertyWidget::*setLabels)(Labels&))
+{
+  std::remove_const_t<Labels> labels = { "Measure", "Threshold", "Passes" };
+  (list->*setLabels)(labels);
+}
 }
 
 pqMedialSchedule::pqMedialSchedule(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent)
@@ -98,8 +107,7 @@ pqMedialSchedule::pqMedialSchedule(vtkSMProxy* proxy, vtkSMProperty* property, Q
 {
   if (auto* list = this->findChild<pqScalarValueListPropertyWidget*>())
   {
-    std::vector<const char*> labels = { "Measure", "Threshold", "Passes" };
-    list->setLabels(labels);
+    name(list, &pqScalarValueListPropertyWidget::setLabels);
     list->setShowLabels(true);
   }
   if (auto* table = this->findChild<QTableView*>())

@@ -13,6 +13,7 @@
 #include <vtkSelectionNode.h>
 
 #include <functional>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -276,6 +277,19 @@ TEST(MedialPrune, RemovesNothingWithAnEmptySelection)
   using Node = vtkSelectionNode;
   EXPECT_EQ(removedWith(selectionOf({})), 0);
   EXPECT_EQ(removedWith(selectionOf({ selectionNode(Node::INDICES, Node::CELL, {}) })), 0);
+}
+
+TEST(MedialPrune, RemovesWhatIsNotInAnEmptySelection)
+{
+  using Node = vtkSelectionNode;
+  auto nothing = selectionNode(Node::INDICES, Node::CELL, {});
+  nothing->GetProperties()->Set(Node::INVERSE(), 1);
+  const vtkIdType all = removedWith(selectionOf({ nothing }));
+  EXPECT_GT(all, 0);
+  std::vector<double> cells(
+    static_cast<std::size_t>(boxPipeline().parts->GetOutput()->GetNumberOfCells()));
+  std::iota(cells.begin(), cells.end(), 0);
+  EXPECT_EQ(removedWith(selectionOf({ selectionNode(Node::INDICES, Node::CELL, cells) })), all);
 }
 
 TEST(MedialPrune, ProtectsThePartsOfASelection)
