@@ -3,6 +3,8 @@
 """Runs the two programs of README.md with the installed package.
 
   .ci/check_readme.py README.md PREFIX SCRATCH
+
+What is installed in /usr has to be found without being told where.
 """
 
 import glob
@@ -12,6 +14,7 @@ import subprocess
 import sys
 
 readme, prefix, scratch = map(os.path.abspath, sys.argv[1:])
+is_told_where = prefix != "/usr"
 
 
 def program(language):
@@ -43,10 +46,13 @@ def write_part():
 
 
 def check_python():
-    package, = glob.glob(prefix + "/lib/**/medialaxis", recursive=True)
     write("program.py", program("python") +
           "assert surface.GetOutput().GetNumberOfCells() > 1000\n")
-    run("/usr/bin/python3", "program.py", PYTHONPATH=os.path.dirname(package))
+    if is_told_where:
+        package, = glob.glob(prefix + "/lib/**/medialaxis", recursive=True)
+        run("/usr/bin/python3", "program.py", PYTHONPATH=os.path.dirname(package))
+    else:
+        run("/usr/bin/python3", "program.py")
 
 
 def check_cxx():
@@ -55,15 +61,15 @@ def check_cxx():
     write("program.cxx", "".join("#include <%s.h>\n" % header for header in headers) +
           "int main()\n{\n" + body + "return surface->GetOutput()->GetNumberOfCells() < 1000;\n}\n")
     write("CMakeLists.txt", """cmake_minimum_required(VERSION 3.18)
-project(Readme LANGUAGES C CXX)
+project(Readme LANGUAGES CXX)
 find_package(MedialAxis REQUIRED)
 find_package(VTK REQUIRED COMPONENTS IOGeometry)
 add_executable(program program.cxx)
 target_compile_features(program PRIVATE cxx_std_17)
 target_link_libraries(program PRIVATE VTK::FiltersMedial VTK::IOGeometry)
 """)
-    run("cmake", "-S", ".", "-B", ".", "-G", "Ninja", "-DCMAKE_PREFIX_PATH=" + prefix,
-        "--log-level=ERROR")
+    where = ["-DCMAKE_PREFIX_PATH=" + prefix] if is_told_where else []
+    run("cmake", "-S", ".", "-B", ".", "-G", "Ninja", "--log-level=ERROR", *where)
     run("cmake", "--build", ".")
     run("./program")
 
