@@ -17,57 +17,47 @@ namespace medial
 {
 namespace
 {
-/// Would the cell be oriented positively, if each corner were moved by `error` at most? Cells may be flat:
-/// where the axis is a plane, those inside have no volume.
-bool isPositive(const std::array<Point, 4>& corners, double error)
+double determinant(const std::array<Point, 4>& corners)
 {
   const Point u = corners[1] - corners[0], v = corners[2] - corners[0], w = corners[3] - corners[0];
-  // So far the determinant may change.
-  const double change = (u.norm() + 2 * error) * (v.norm() + 2 * error) * (w.norm() + 2 * error) -
-    u.norm() * v.norm() * w.norm();
-  return u.cross(v).dot(w) >= -change;
+  return u.cross(v).dot(w);
 }
 
+/// So far the determinant may change if each corner is moved by `error` at most.
+double change(const std::array<Point, 4>& corners, double error)
+{
+  const double u = (corners[1] - corners[0]).norm(), v = (corners[2] - corners[0]).norm(),
+               w = (corners[3] - corners[0]).norm();
+  return (u + 2 * error) * (v + 2 * error) * (w + 2 * error) - u * v * w;
+}
+
+/// Cells may be flat: where the axis is a plane, those inside have no volume.
 void checkOrientation(const PolarBalls& balls, double moved, double movedFar)
 {
   const Eigen::AlignedBox3d box = boundingBox(balls.samples);
   for (Index c = 0; c < count(balls.triangulation.cells); ++c)
   {
     std::array<Point, 4> corners;
-    double farthest = 0;
     for (int i = 0; i < 4; ++i)
     {
       corners[i] = balls.balls[balls.triangulation.cells[c][i]].center;
-      farthest = std::max(farthest, box.exteriorDistance(corners[i]));
     }
-    if (!isPositive(corners, moved + movedFar * farthest))
+    const double volume = determinant(corners);
+    if (volume >= 0) // most are, and this is quick
+    {
+      continue;
+    }
+    double farthest = 0;
+    for (const Point& corner : corners)
+    {
+      farthest = std::max(farthest, box.exteriorDistance(corner));
+    }
+    if (!(volume >= -change(corners, moved + movedFar * farthest)))
     {
       throw InvalidInput("the corners of tetrahedron ", c,
         " are in the wrong order for the places of the balls: ", TakePolarBalls);
     }
   }
-}
-
-/// Is the triangle the other one seen from behind?
-bool isReverse(const Triangle& a, const Triangle& b)
-{
-  const auto first = std::find(b.begin(), b.end(), a[0]) - b.begin();
-  return first < 3 && b[(first + 2) % 3] == a[1] && b[(first + 1) % 3] == a[2];
-}
-
-void checkNeighbor(const Tetrahedra& mesh, Index c, int i)
-{
-  const Index n = mesh.neighbors[c][i];
-  const Triangle own = facet(mesh.cells[c], i);
-  for (int j = 0; j < 4; ++j)
-  {
-    if (mesh.neighbors[n][j] == c && isReverse(own, facet(mesh.cells[n], j)))
-    {
-      return;
-    }
-  }
-  throw InvalidInput(
-    "the tetrahedra ", c, " and ", n, " lie on the same side of a triangle: ", TakePolarBalls);
 }
 
 using Corner = std::pair<Edge, Index>; // an edge of a triangle of the hull, the triangle
@@ -112,7 +102,7 @@ void checkClosed(const std::vector<Triangle>& hull)
 void checkTetrahedra(PolarBalls& balls, double moved, double movedFar)
 {
   checkOrientation(balls, moved, movedFar);
-  balls.triangulation = withNeighbors(std::move(balls.triangulation.cells));
+  balls.triangulation = orientedWithNeighbors(std::move(balls.triangulation.cells));
   const Tetrahedra& mesh = balls.triangulation;
   std::vector<Triangle> hull;
   for (Index c = 0; c < count(mesh.cells); ++c)
@@ -121,7 +111,6 @@ void checkTetrahedra(PolarBalls& balls, double moved, double movedFar)
     {
       if (mesh.neighbors[c][i] != None)
       {
-        checkNeighbor(mesh, c, i);
         continue;
       }
       hull.push_back(facet(mesh.cells[c], i));

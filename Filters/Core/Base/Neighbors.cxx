@@ -160,6 +160,28 @@ std::vector<Index> Neighbors::within(const Point& place, double distance) const
   return result;
 }
 
+std::vector<Index> Neighbors::inOrder() const
+{
+  std::vector<Index> result;
+  result.reserve(this->sorted.size());
+  for (const Numbered& point : this->sorted)
+  {
+    result.push_back(point.number);
+  }
+  return result;
+}
+
+Neighbors::Left Neighbors::all() const
+{
+  Left result{ std::vector<char>(this->sorted.size(), 1), {} };
+  result.inNode.reserve(this->nodes.size());
+  for (const Node& node : this->nodes)
+  {
+    result.inNode.push_back(node.end - node.begin);
+  }
+  return result;
+}
+
 std::vector<double> meanDistances(
   const std::vector<Point>& points, const Neighbors& neighbors, const Execution& execution)
 {

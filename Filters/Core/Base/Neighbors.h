@@ -43,6 +43,24 @@ public:
   template <typename Body>
   void forEachWithin(const Point& place, double distance, const Body& body) const;
 
+  /// All points, near ones mostly after each other: in this order what a search needs is still in the cache.
+  std::vector<Index> inOrder() const;
+
+  /// The points that no search has taken yet.
+  struct Left
+  {
+    std::vector<char> isHere;  ///< in the order of the tree
+    std::vector<Index> inNode; ///< how many
+  };
+
+  /// All points.
+  Left all() const;
+
+  /// Calls body(point) for those that are left and at most so far from a place, and takes them. Where most are taken,
+  /// a search is quick though many points are near.
+  template <typename Body>
+  void takeEachWithin(const Point& place, double distance, Left& left, const Body& body) const;
+
 private:
   struct Numbered
   {
@@ -78,6 +96,10 @@ private:
   template <typename IsNear, typename Found>
   void search(Index node, const Point& place, const IsNear& isNear, const Found& found) const;
 
+  /// @return  how many were taken of a node
+  template <typename Body>
+  Index take(Index node, const Point& place, double squared, Left& left, const Body& body) const;
+
   const std::vector<Point>& points;
   std::vector<Numbered> sorted; ///< those of a node follow each other
   std::vector<Node> nodes;      ///< the root first; none without points
@@ -98,6 +120,46 @@ void Neighbors::forEachWithin(const Point& place, double distance, const Body& b
       0, place, [most](double squared) { return squared <= most; },
       [&body](double, Index point) { body(point); });
   }
+}
+
+template <typename Body>
+void Neighbors::takeEachWithin(
+  const Point& place, double distance, Left& left, const Body& body) const
+{
+  if (!this->nodes.empty())
+  {
+    this->take(0, place, distance * distance, left, body);
+  }
+}
+
+template <typename Body>
+Index Neighbors::take(Index n, const Point& place, double most, Left& left, const Body& body) const
+{
+  const Node& node = this->nodes[n];
+  if (left.inNode[n] == 0 || squaredDistance(node.box, place) > most)
+  {
+    return 0;
+  }
+  Index taken = 0;
+  if (node.upper != None)
+  {
+    taken =
+      this->take(n + 1, place, most, left, body) + this->take(node.upper, place, most, left, body);
+  }
+  else
+  {
+    for (Index i = node.begin; i < node.end; ++i)
+    {
+      if (left.isHere[i] && squaredNorm(this->sorted[i].place - place) <= most)
+      {
+        left.isHere[i] = 0;
+        ++taken;
+        body(this->sorted[i].number);
+      }
+    }
+  }
+  left.inNode[n] -= taken;
+  return taken;
 }
 
 template <typename IsNear, typename Found>

@@ -5,6 +5,7 @@
 #include "Base/Lists.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
@@ -18,12 +19,8 @@ namespace
 /// A triangle's upper corners and where it comes from: 4 * cell + i.
 struct TriangleOfCell
 {
-  std::uint64_t upper; ///< the middle corner, then the highest one
-  Index where;
-  bool operator<(const TriangleOfCell& other) const
-  {
-    return this->upper != other.upper ? this->upper < other.upper : this->where < other.where;
-  }
+  Index middle, highest, where;
+  bool isTurned; ///< are its corners in descending order around it, seen from the cell?
 };
 
 /// An edge's upper corner and where it comes from: 6 * cell + k.
@@ -41,6 +38,146 @@ Index highestCorner(const std::vector<Tetrahedron>& cells)
   }
   return highest;
 }
+
+/// A corner of a cell and its place there, 0 ... 3, in one number.
+struct Corner
+{
+  std::int64_t both;
+  Index id() const { return static_cast<Index>(both >> 2); }
+  Index place() const { return static_cast<Index>(both & 3); }
+};
+
+/// The corners of a cell in the order of their ids.
+struct Ordered
+{
+  std::array<Corner, 4> corners;
+  bool isTurned; ///< would the cell be oriented negatively in this order?
+};
+
+/// By a network, since a sort would be most of the time.
+Ordered ordered(const Tetrahedron& cell)
+{
+  Ordered result{ {}, false };
+  for (int i = 0; i < 4; ++i)
+  {
+    result.corners[i].both = static_cast<std::int64_t>(cell[i]) << 2 | i;
+  }
+  const auto order = [&result](int first, int second) {
+    Corner &a = result.corners[first], &b = result.corners[second];
+    result.isTurned ^= a.both > b.both;
+    const auto [low, high] = std::minmax({ a.both, b.both });
+    a.both = low, b.both = high;
+  };
+  order(0, 1);
+  order(2, 3);
+  order(0, 2);
+  order(1, 3);
+  order(1, 2);
+  return result;
+}
+
+/// The triangles of all cells, in lists by their lowest corner.
+Lists<TriangleOfCell> trianglesByLowest(const std::vector<Tetrahedron>& cells)
+{
+  return listsByKey<TriangleOfCell>(highestCorner(cells) + 1, [&cells](const auto& add) {
+    for (Index c = 0; c < count(cells); ++c)
+    {
+      const auto [corners, isTurned] = ordered(cells[c]);
+      const auto [a, b, d, e] = corners;
+      const auto opposite = [c](const Corner& corner) { return 4 * c + corner.place(); };
+      add(a.id(), TriangleOfCell{ b.id(), d.id(), opposite(e), isTurned });
+      add(a.id(), TriangleOfCell{ b.id(), e.id(), opposite(d), !isTurned });
+      add(a.id(), TriangleOfCell{ d.id(), e.id(), opposite(b), isTurned });
+      add(b.id(), TriangleOfCell{ d.id(), e.id(), opposite(a), !isTurned });
+    }
+  });
+}
+
+/// Finds equal triangles without sorting: those of one lowest corner become chains by their middle corner, and along a
+/// chain each leaves a mark at its highest corner, where an equal one finds it.
+class Matching
+{
+public:
+  Matching(const std::vector<Tetrahedron>& cells, bool checkSides)
+    : areSidesChecked(checkSides)
+    , byLowest(trianglesByLowest(cells))
+    , chains(this->byLowest.size(), { None, None })
+    , marks(this->byLowest.size(), { None, None })
+    , next(this->byLowest.items.size(), None)
+    , found(cells.size(), { None, None, None, None })
+  {
+  }
+
+  std::vector<Tetrahedron> neighbors()
+  {
+    std::vector<Index> middles;
+    for (Index lowest = 0; lowest < this->byLowest.size(); ++lowest)
+    {
+      middles.clear();
+      for (Index t = this->byLowest.offsets[lowest]; t < this->byLowest.offsets[lowest + 1]; ++t)
+      {
+        Entry& chain = this->chains[this->byLowest.items[t].middle];
+        if (chain.owner != lowest)
+        {
+          chain = { lowest, None };
+          middles.push_back(this->byLowest.items[t].middle);
+        }
+        this->next[t] = std::exchange(chain.triangle, t);
+      }
+      for (const Index middle : middles)
+      {
+        this->matchChain(this->chains[middle].triangle);
+      }
+    }
+    return std::move(this->found);
+  }
+
+private:
+  /// Valid while its owner is what is looked at.
+  struct Entry
+  {
+    Index owner, triangle;
+  };
+
+  /// @param first  triangle, which stands for its chain
+  void matchChain(Index first)
+  {
+    for (Index t = first; t != None; t = this->next[t])
+    {
+      Entry& mark = this->marks[this->byLowest.items[t].highest];
+      if (mark.owner != first)
+      {
+        mark = { first, t };
+        continue;
+      }
+      this->match(this->byLowest.items[mark.triangle], this->byLowest.items[t]);
+    }
+  }
+
+  void match(const TriangleOfCell& one, const TriangleOfCell& other)
+  {
+    const Index a = one.where, b = other.where;
+    if (this->found[a / 4][a % 4] != None)
+    {
+      throw InvalidInput("the tetrahedra of the balls are no triangulation: a triangle has more "
+                         "than two of them; give the output of Polar Balls, with all its cells");
+    }
+    if (this->areSidesChecked && one.isTurned == other.isTurned)
+    {
+      throw InvalidInput("the tetrahedra ", std::min(a, b) / 4, " and ", std::max(a, b) / 4,
+        " lie on the same side of a triangle: give the output of Polar Balls, with all its cells");
+    }
+    this->found[a / 4][a % 4] = b / 4;
+    this->found[b / 4][b % 4] = a / 4;
+  }
+
+  bool areSidesChecked;
+  Lists<TriangleOfCell> byLowest;
+  std::vector<Entry> chains; ///< for each middle corner
+  std::vector<Entry> marks;  ///< for each highest corner
+  std::vector<Index> next;   ///< for each triangle in its chain
+  std::vector<Tetrahedron> found;
+};
 }
 
 void sortCells(std::vector<Tetrahedron>& cells)
@@ -75,41 +212,16 @@ std::vector<Tetrahedron> renumbered(
 
 Tetrahedra withNeighbors(std::vector<Tetrahedron> cells)
 {
-  const auto addTriangles = [&cells](const auto& add) {
-    for (Index c = 0; c < count(cells); ++c)
-    {
-      for (int i = 0; i < 4; ++i)
-      {
-        Triangle t = facet(cells[c], i);
-        std::sort(t.begin(), t.end());
-        add(t[0],
-          TriangleOfCell{
-            static_cast<std::uint64_t>(t[1]) << 32 | static_cast<std::uint32_t>(t[2]), 4 * c + i });
-      }
-    }
-  };
-  Lists<TriangleOfCell> lists = listsByKey<TriangleOfCell>(highestCorner(cells) + 1, addTriangles);
-  lists.sortEach();
   Tetrahedra result;
-  result.neighbors.assign(cells.size(), { None, None, None, None });
-  for (Index p = 0; p < lists.size(); ++p)
-  {
-    for (Index i = 0; i + 1 < lists[p].size(); ++i)
-    {
-      const TriangleOfCell &a = lists[p][i], &b = lists[p][i + 1];
-      if (a.upper != b.upper)
-      {
-        continue;
-      }
-      if (result.neighbors[a.where / 4][a.where % 4] != None)
-      {
-        throw InvalidInput("the tetrahedra of the balls are no triangulation: a triangle has more "
-                           "than two of them; give the output of Polar Balls, with all its cells");
-      }
-      result.neighbors[a.where / 4][a.where % 4] = b.where / 4;
-      result.neighbors[b.where / 4][b.where % 4] = a.where / 4;
-    }
-  }
+  result.neighbors = Matching(cells, false).neighbors();
+  result.cells = std::move(cells);
+  return result;
+}
+
+Tetrahedra orientedWithNeighbors(std::vector<Tetrahedron> cells)
+{
+  Tetrahedra result;
+  result.neighbors = Matching(cells, true).neighbors();
   result.cells = std::move(cells);
   return result;
 }

@@ -40,9 +40,13 @@ constexpr bool isInFacet(int k, int i)
   return cellEdges[k][0] != i && cellEdges[k][1] != i;
 }
 
-/// The cells with their neighbours found from shared triangles.
+/// The cells with their neighbours found from shared triangles, in linear time.
 /// @throw InvalidInput  a triangle has more than two cells
 Tetrahedra withNeighbors(std::vector<Tetrahedron> cells);
+
+/// The same of cells that say that they are positively oriented.
+/// @throw InvalidInput  also where two cells lie on the same side of a triangle
+Tetrahedra orientedWithNeighbors(std::vector<Tetrahedron> cells);
 
 /// A number for each edge: entry [cell][k] is the number of the cell's edge cellEdges[k].
 struct EdgeNumbers

@@ -62,13 +62,14 @@ std::vector<Index> largestBallsAtSamples(
   std::stable_sort(order.begin(), order.end(),
     [&balls](Index a, Index b) { return balls.balls[a].radius > balls.balls[b].radius; });
   const Neighbors neighbors(balls.samples);
+  Neighbors::Left left = neighbors.all();
   std::vector<Index> result(balls.samples.size(), None);
   for (Index i = 0; i < count(order); ++i)
   {
     execution.pollAt(i);
     const Ball& ball = balls.balls[order[i]];
-    neighbors.forEachWithin(ball.center, ball.radius + tolerance,
-      [&](Index sample) { result[sample] = result[sample] == None ? order[i] : result[sample]; });
+    neighbors.takeEachWithin(
+      ball.center, ball.radius + tolerance, left, [&](Index sample) { result[sample] = order[i]; });
   }
   return result;
 }

@@ -42,7 +42,7 @@ private:
 /// For each sample the largest ball of a side, or None, that it is on, up to a tolerance. Balls that touch the guard don't
 /// count.
 ///
-/// No ball has samples in its interior, so also the largest ones outside have few to look at: about linear time.
+/// The largest balls first take the samples near them, so that each sample is taken once: about linear time.
 std::vector<Index> largestBallsAtSamples(
   const PolarBalls& balls, Side side, double tolerance, const Execution& execution = {});
 }

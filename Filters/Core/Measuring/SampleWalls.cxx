@@ -15,6 +15,7 @@ namespace medial
 {
 namespace
 {
+constexpr int around = 12;                    ///< so many samples make a wall at most
 using Tangents = Eigen::Matrix<double, 3, 2>; ///< two directions at a right angle, as columns
 
 Tangents tangents(const Point& normal)
@@ -64,8 +65,10 @@ SampleWall paraboloid(const std::vector<Point>& steps, const Point& normal)
     return result;
   }
   const Tangents along = tangents(normal);
-  Eigen::Matrix<double, Eigen::Dynamic, unknowns> terms(steps.size(), unknowns);
-  Eigen::VectorXd heights(steps.size());
+  // Of limited size, so that they need no memory of their own.
+  Eigen::Matrix<double, Eigen::Dynamic, unknowns, 0, around, unknowns> terms(
+    steps.size(), unknowns);
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, around, 1> heights(steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
     const Eigen::Vector2d p = along.transpose() * steps[i];
@@ -129,10 +132,12 @@ public:
     }
   }
 
+  /// The samples in an order that is quick.
+  std::vector<Index> order() const { return this->neighbors.inOrder(); }
+
   SampleWall at(Index sample) const
   {
     const bool hasNormal = !this->balls.normals.empty() && !this->directions[sample].isZero();
-    constexpr Index around = 12;
     constexpr double sameWall = 0.5; // cosine between their directions
     std::vector<Point> steps, changes;
     for (const Index other : this->neighbors.nearest(sample, around))
@@ -188,7 +193,8 @@ std::vector<SampleWall> sampleWalls(const PolarBalls& balls, const Execution& ex
 {
   const Walls walls(balls, execution);
   std::vector<SampleWall> result(balls.samples.size());
-  execution.forEach(count(result), [&](Index s) { result[s] = walls.at(s); });
+  const std::vector<Index> order = walls.order();
+  execution.forEach(count(order), [&](Index i) { result[order[i]] = walls.at(order[i]); });
   return result;
 }
 

@@ -226,6 +226,55 @@ TEST(Tetrahedra, RefuseAThirdCellAtATriangle)
   EXPECT_THROW(medial::withNeighbors(cells), medial::InvalidInput);
 }
 
+TEST(Tetrahedra, RefuseTwoCellsOnOneSideOfATriangle)
+{
+  EXPECT_EQ(
+    medial::orientedWithNeighbors(twoCells).neighbors, medial::withNeighbors(twoCells).neighbors);
+  for (const std::size_t turned : { 0, 1 })
+  {
+    std::vector<Tetrahedron> cells = twoCells;
+    std::swap(cells[turned][1], cells[turned][2]);
+    EXPECT_NO_THROW(medial::withNeighbors(cells));
+    EXPECT_THROW(medial::orientedWithNeighbors(cells), medial::InvalidInput);
+  }
+}
+
+TEST(Tetrahedra, FindNeighborsWithoutOrientation)
+{
+  std::vector<Tetrahedron> cells = pipelines::of("capsule").balls().triangulation.cells;
+  medial::sortCells(cells);
+  const medial::Tetrahedra mesh = medial::withNeighbors(cells);
+  for (Index c = 0; c < medial::count(cells); ++c)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const Index n = mesh.neighbors[c][i];
+      if (n != None)
+      {
+        Index shared = 0;
+        for (const Index corner : cells[c])
+        {
+          shared += std::count(cells[n].begin(), cells[n].end(), corner);
+        }
+        ASSERT_EQ(shared, 3);
+        ASSERT_EQ(std::count(cells[n].begin(), cells[n].end(), cells[c][i]), 0);
+      }
+    }
+  }
+}
+
+TEST(Tetrahedra, TakeLinearTimeWhereVeryManyShareAnEdge)
+{
+  constexpr Index leaves = 300000; // a loop over all pairs of them would take minutes
+  std::vector<Tetrahedron> cells;
+  for (Index i = 0; i < leaves; ++i)
+  {
+    cells.push_back({ 0, 1, 2 + i, 2 + (i + 1) % leaves });
+  }
+  const medial::Tetrahedra mesh = medial::orientedWithNeighbors(cells);
+  EXPECT_EQ(mesh.neighbors[5], (Tetrahedron{ None, None, 6, 4 }));
+}
+
 TEST(Tetrahedra, EdgesAreNumberedOnce)
 {
   const medial::EdgeNumbers numbers = medial::edgeNumbers(twoCells, 5);

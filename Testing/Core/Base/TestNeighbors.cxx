@@ -92,3 +92,41 @@ TEST(Neighbors, WithinADistanceOfAPlaceAreAllThatAre)
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found, expected);
 }
+
+TEST(Neighbors, AreTakenOnceEach)
+{
+  const std::vector<Point> points = shapes::cloud(300, 4);
+  const medial::Neighbors neighbors(points);
+  medial::Neighbors::Left left = neighbors.all();
+  std::vector<char> isTaken(points.size(), 0);
+  for (Index p = 0; p < medial::count(points); p += 3)
+  {
+    const double distance = 0.05 * static_cast<double>(p % 7);
+    std::vector<Index> expected, found;
+    for (const Index q : neighbors.within(p, distance))
+    {
+      if (!isTaken[q])
+      {
+        isTaken[q] = 1;
+        expected.push_back(q);
+      }
+    }
+    neighbors.takeEachWithin(points[p], distance, left, [&](Index q) { found.push_back(q); });
+    std::sort(expected.begin(), expected.end());
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(found, expected);
+  }
+  EXPECT_EQ(left.inNode[0], std::count(isTaken.begin(), isTaken.end(), 0));
+}
+
+TEST(Neighbors, InOrderAreAllOfThem)
+{
+  const std::vector<Point> points = shapes::cloud(300, 4);
+  std::vector<Index> order = medial::Neighbors(points).inOrder();
+  std::sort(order.begin(), order.end());
+  ASSERT_EQ(order.size(), points.size());
+  for (Index p = 0; p < medial::count(points); ++p)
+  {
+    ASSERT_EQ(order[p], p);
+  }
+}
