@@ -140,6 +140,8 @@ public:
     const bool hasNormal = !this->balls.normals.empty() && !this->directions[sample].isZero();
     constexpr double sameWall = 0.5; // cosine between their directions
     std::vector<Point> steps, changes;
+    steps.reserve(around);
+    changes.reserve(around);
     for (const Index other : this->neighbors.nearest(sample, around))
     {
       if (this->directions[other].dot(this->directions[sample]) > sameWall)
