@@ -3,8 +3,10 @@
 
 #include "Base/BallTree.h"
 #include "Base/Errors.h"
+#include "Measuring/BurnTimes.h"
 #include "Measuring/CurveBranches.h"
 #include "Measuring/CurveForks.h"
+#include "Measuring/CurveRadii.h"
 #include "Measuring/CurveSkeleton.h"
 #include "Measuring/CurveSmoothing.h"
 #include "Measuring/RodPieces.h"
@@ -25,26 +27,12 @@ void check(const MedialAxis& axis, const CenterlineOptions& options)
     throw InvalidInput("The width ratio of rods is ", options.widthRatio,
       "; give a number above 1, or 0 for curves through plates, too.");
   }
-  if (axis.erosion.size() != axis.points.size())
+  if (axis.erosion.size() != axis.points.size() || count(axis.cellErosion) != axis.cells.size())
   {
     throw InvalidInput(
       "The medial axis has no erosion thickness for each of its points, which tells how wide "
       "it is. Make it with medialAxis().");
   }
-}
-
-/// No ball is smaller than what the balls of the axis leave around its centre: in a fork a curve may have
-/// left the axis, so that the means of its radii say too little.
-void enlarge(const BallTree& solid, std::vector<Centerline>& curves, const Execution& execution)
-{
-  execution.forEach(count(curves), [&](Index i) {
-    Centerline& curve = curves[i];
-    for (std::size_t j = 0; j < curve.points.size(); ++j)
-    {
-      curve.radii[j] = std::max(curve.radii[j], -solid.distance(curve.points[j]));
-      curve.halfWidths[j] = std::max(curve.halfWidths[j], curve.radii[j]);
-    }
-  });
 }
 
 /// Smoothed curves that meet at nodes, which are points of the axis.
@@ -57,7 +45,7 @@ std::vector<Centerline> wholeCurves(const MedialAxis& axis, const std::vector<do
     count(branches), [&](Index i) { result[i] = smoothed(axis, times, branches[i]); });
   const BallTree solid(maximalBalls(axis));
   joinAtForks(axis, solid, result);
-  enlarge(solid, result, execution.between(0.5, 1));
+  bindRadii(axis, solid, result, execution.between(0.5, 1));
   return result;
 }
 
@@ -135,7 +123,8 @@ Centerlines centerlines(
 {
   check(axis, options);
   const std::vector<double> times = burnTimes(axis);
-  const CurveSkeleton skeleton = curveSkeleton(axis, times, execution.between(0, 0.5));
+  const CurveSkeleton skeleton = curveSkeleton(axis, axisEdges(axis.cells), times,
+    std::vector<char>(axis.cells.triangles.size(), 1), execution.between(0, 0.5));
   const std::vector<Edge> edges =
     withoutTwigs(axis, times, skeleton.edges, execution.between(0.5, 0.6));
   std::vector<Centerline> curves = wholeCurves(axis, times, edges, execution.between(0.6, 1));

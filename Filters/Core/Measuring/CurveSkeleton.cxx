@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Measuring/CurveSkeleton.h"
 
-#include "Axis/AxisEdges.h"
 #include "Base/Lists.h"
 
 #include <algorithm>
@@ -19,17 +18,21 @@ namespace
 class TriangleCollapse
 {
 public:
-  TriangleCollapse(const MedialAxis& axis, const std::vector<double>& times)
-    : edges(axisEdges(axis.cells))
-    , isAlive(axis.cells.triangles.size(), 1)
+  TriangleCollapse(const MedialAxis& axis, const AxisEdges& axisEdges,
+    const std::vector<double>& times, const std::vector<char>& counts)
+    : edges(axisEdges)
+    , isAlive(counts)
     , isGone(edges.points.size(), 0)
-    , left(count(axis.cells.triangles))
+    , left(static_cast<Index>(std::count(counts.begin(), counts.end(), 1)))
   {
     for (Index edge = 0; edge < count(this->edges.points); ++edge)
     {
       const auto [a, b] = this->edges.points[edge];
+      const IndexLists::View at = this->edges.triangles[edge];
       this->earliest.push_back(times[a] + times[b] - (axis.points[a] - axis.points[b]).norm());
-      this->sides.push_back(this->edges.triangles[edge].size());
+      this->sides.push_back(static_cast<Index>(
+        std::count_if(at.begin(), at.end(), [&counts](Index t) { return counts[t] != 0; })));
+      this->isGone[edge] = at.size() > 0 && this->sides[edge] == 0;
       this->offer(edge);
     }
   }
@@ -90,7 +93,7 @@ private:
 
   using Entry = std::pair<double, Index>;
 
-  AxisEdges edges;
+  const AxisEdges& edges;
   std::vector<char> isAlive;    ///< for each triangle
   std::vector<char> isGone;     ///< for each edge
   std::vector<Index> sides;     ///< for each edge
@@ -115,23 +118,10 @@ std::vector<Index> latestTriangles(const MedialAxis& axis, const std::vector<dou
 }
 }
 
-std::vector<double> burnTimes(const MedialAxis& axis)
+CurveSkeleton curveSkeleton(const MedialAxis& axis, const AxisEdges& edges,
+  const std::vector<double>& times, const std::vector<char>& counts, const Execution& execution)
 {
-  std::vector<double> times = axis.radii;
-  for (const Triangle& corners : axis.cells.triangles)
-  {
-    for (const Index point : corners)
-    {
-      times[point] = axis.radii[point] + axis.erosion[point];
-    }
-  }
-  return times;
-}
-
-CurveSkeleton curveSkeleton(
-  const MedialAxis& axis, const std::vector<double>& times, const Execution& execution)
-{
-  TriangleCollapse triangles(axis, times);
+  TriangleCollapse triangles(axis, edges, times, counts);
   triangles.collapse(execution);
   CurveSkeleton result{ {}, 0 };
   if (triangles.trianglesLeft() > 0)

@@ -2,6 +2,7 @@
 #ifndef medial_CurveSkeleton_h
 #define medial_CurveSkeleton_h
 
+#include "Axis/AxisEdges.h"
 #include "Axis/MedialAxis.h"
 #include "Base/Execution.h"
 #include "Base/Types.h"
@@ -10,11 +11,6 @@
 
 namespace medial
 {
-/// For each point of an axis, half the width of the sheet there: the time at which the fire of
-/// Erosion.h has burnt it, erosion thickness + radius. The radius where a point is in no triangle: a
-/// line is as wide as it is thick.
-std::vector<double> burnTimes(const MedialAxis& axis);
-
 /// Edges along the middle of an axis. They run where the fires from both sides of a sheet meet.
 struct CurveSkeleton
 {
@@ -31,9 +27,11 @@ struct CurveSkeleton
 /// to cross it. This puts edges across a narrow sheet before edges along its middle.
 ///
 /// Takes O(n log n).
-/// @param times  burnTimes() of the axis
-CurveSkeleton curveSkeleton(
-  const MedialAxis& axis, const std::vector<double>& times, const Execution& execution = {});
+/// @param times   burnTimes() of the axis
+/// @param counts  for each triangle: is it there? Lines all are.
+CurveSkeleton curveSkeleton(const MedialAxis& axis, const AxisEdges& edges,
+  const std::vector<double>& times, const std::vector<char>& counts,
+  const Execution& execution = {});
 }
 
 #endif

@@ -2,6 +2,8 @@
 #include "Measuring/RodSkeleton.h"
 
 #include "Base/Lists.h"
+#include "Measuring/BurnTimes.h"
+#include "Measuring/CurveSkeleton.h"
 
 #include <algorithm>
 #include <functional>
@@ -15,105 +17,6 @@ namespace
 {
 using Event = std::pair<double, Index>;
 using Queue = std::priority_queue<Event, std::vector<Event>, std::greater<>>;
-
-/// Collapses triangles over their free edges.
-class RodCollapse
-{
-public:
-  RodCollapse(const MedialAxis& medialAxis, const AxisEdges& axisEdges,
-    const std::vector<char>& inRod, const Execution& execution)
-    : axis(medialAxis)
-    , edges(axisEdges)
-    , alive(inRod)
-    , left(axisEdges.points.size(), 0)
-    , kept(axisEdges.points.size(), 0)
-  {
-    for (Index e = 0; e < count(this->edges.points); ++e)
-    {
-      for (const Index t : this->edges.triangles[e])
-      {
-        this->left[e] += this->alive[t];
-      }
-      this->kept[e] = this->left[e] > 0;
-      this->offer(e);
-    }
-    for (const Index e : this->edges.ofDangling)
-    {
-      this->kept[e] = 1;
-    }
-    this->run(execution);
-    // Of closed sheets, which have no free edge, one triangle goes after another.
-    for (Index t = 0; t < count(this->alive); ++t)
-    {
-      if (this->alive[t])
-      {
-        this->remove(t);
-        this->run(execution);
-      }
-    }
-  }
-
-  std::vector<Edge> result() const
-  {
-    std::vector<Edge> result;
-    for (Index e = 0; e < count(this->kept); ++e)
-    {
-      if (this->kept[e])
-      {
-        result.push_back(this->edges.points[e]);
-      }
-    }
-    return result;
-  }
-
-private:
-  void run(const Execution& execution)
-  {
-    for (Index turn = 0; !this->front.empty(); turn = (turn + 1) % 4096)
-    {
-      execution.pollAt(turn);
-      const Index e = this->front.top().second;
-      this->front.pop();
-      for (const Index t : this->edges.triangles[e])
-      {
-        if (this->alive[t] && this->left[e] == 1)
-        {
-          this->kept[e] = 0;
-          this->remove(t);
-        }
-      }
-    }
-  }
-
-  void remove(Index t)
-  {
-    this->alive[t] = 0;
-    for (const Index e : this->edges.ofTriangle[t])
-    {
-      --this->left[e];
-      this->offer(e);
-    }
-  }
-
-  /// A free edge burns with the earlier one of its ends, so that what is left lies inside.
-  void offer(Index e)
-  {
-    if (this->left[e] == 1)
-    {
-      const auto [a, b] = this->edges.points[e];
-      this->front.push({ std::min(this->time(a), this->time(b)), e });
-    }
-  }
-
-  double time(Index p) const { return this->axis.erosion[p] + this->axis.radii[p]; }
-
-  const MedialAxis& axis;
-  const AxisEdges& edges;
-  std::vector<char> alive; ///< triangles
-  std::vector<Index> left; ///< living triangles at each edge
-  std::vector<char> kept;  ///< edges
-  Queue front;
-};
 
 /// Takes dead ends away from a graph.
 class Shortening
@@ -268,8 +171,8 @@ RodSkeleton rodSkeleton(const MedialAxis& axis, const AxisEdges& edges,
   const std::vector<char>& inRod, const std::vector<char>& anchor,
   const std::vector<Index>& covering, const Execution& execution)
 {
-  const RodCollapse burning(axis, edges, inRod, execution);
-  const std::vector<Edge> lines = burning.result();
+  const std::vector<Edge> lines =
+    curveSkeleton(axis, edges, burnTimes(axis), inRod, execution).edges;
   return { Shortening(axis, lines, anchor, covering, execution).result() };
 }
 }

@@ -18,8 +18,7 @@ struct RodSkeleton
 
 /// Burns the sheets of rods to curves, and shortens what sticks out of them.
 ///
-/// Triangles go one after another over a free edge, the one that burnt first in the axis first. Of the
-/// edges that are left, dead ends go, the shortest first, if the ball at the tip does not reach farther than
+/// The sheets collapse to a CurveSkeleton. Of the edges that are left, dead ends go, the shortest first, if the ball at the tip does not reach farther than
 /// three radii from where the end meets others: a rod sticks out of the ball there by its own thickness. Nor may it reach less far than a sample spacing.
 /// A piece that is only one line keeps it. Takes O(n log n) time.
 /// @param inRod   for each triangle: does it count? Lines all do.
