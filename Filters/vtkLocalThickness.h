@@ -117,7 +117,7 @@ public:
   ///@{
   /**
    * How far inside the bounds thickness counts, in the unit of the samples: at a cut, balls are too small. Negative, the
-   * default: half the mean thickness.
+   * default: half the mean thickness; where that leaves nothing of the bounds, the mean thickness isn't known.
    */
   vtkSetMacro(Margin, double);
   vtkGetMacro(Margin, double);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Measuring/Ingredients.h"
 
-#include "Base/Errors.h"
 #include "Base/Frame.h"
 #include "Base/SolidMeasures.h"
 #include "Measuring/Anisotropy.h"
@@ -43,33 +42,18 @@ void measureSolid(const MeasuredSolid& solid, const Box& box, MorphometryIngredi
   }
 }
 
-/// The means over the volume, at points spread evenly. Unknown where half the mean thickness, which is left out at a
-/// cut, leaves nothing of the volume of interest.
-VolumeThickness thicknessIn(const PolarBalls& balls, const std::vector<double>& distances,
-  const VolumeOfInterest& volume, const Execution& execution)
-{
-  constexpr Index points = 10000;
-  try
-  {
-    return volumeThickness(balls, distances, volume, points, execution);
-  }
-  catch (const InvalidInput&)
-  {
-    return {};
-  }
-}
-
 void measureThickness(const PolarBalls& balls, const std::vector<double>& distances,
   const std::optional<Box>& bounds, double margin, MorphometryIngredients& result,
   const Execution& execution)
 {
-  VolumeOfInterest volume;
+  ThicknessBounds volume;
   if (bounds || margin > 0)
   {
     volume.bounds = bounds ? *bounds : boundingBox(balls.samples);
     volume.margin = margin > 0 ? margin : volume.margin;
   }
-  const VolumeThickness measured = thicknessIn(balls, distances, volume, execution);
+  constexpr Index points = 10000;
+  const VolumeThickness measured = volumeThickness(balls, distances, volume, points, execution);
   result.thickness = measured.thickness.mean;
   result.thicknessDeviation = measured.thickness.deviation;
   result.thicknessLargest = measured.thickness.largest;

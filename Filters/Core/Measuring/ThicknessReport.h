@@ -18,10 +18,10 @@ struct ThicknessOptions
 {
   double tolerance =
     0.25; ///< how far outside of a ball a place may be, in sample spacings; 0 or more
-  bool separation = true;  ///< is it measured, too? Searches outside take longer
-  VolumeOfInterest volume; ///< for the means over the volume
-  Index points = 10000;    ///< for these means, see volumeThickness(); 0: none are made
-  double depth = 0.1;      ///< of thin places, see thinPlaces()
+  bool separation = true; ///< is it measured, too? Searches outside take longer
+  ThicknessBounds volume; ///< for the means over the volume
+  Index points = 10000;   ///< for these means, see volumeThickness(); 0: none are made
+  double depth = 0.1;     ///< of thin places, see thinPlaces()
 };
 
 /// Thickness or separation at some places.

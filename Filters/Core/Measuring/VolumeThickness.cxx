@@ -172,11 +172,6 @@ std::vector<double> diameters(const LargestBalls& balls, const std::vector<Place
 std::vector<double> away(const std::vector<double>& values, const std::vector<Place>& places,
   const Eigen::AlignedBox3d& box, double margin)
 {
-  if (2 * margin >= box.sizes().minCoeff())
-  {
-    throw InvalidInput("a margin of ", margin,
-      " leaves nothing of the volume of interest: take larger bounds, or a smaller margin");
-  }
   std::vector<double> result;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -187,17 +182,27 @@ std::vector<double> away(const std::vector<double>& values, const std::vector<Pl
   }
   return result;
 }
-}
 
-VolumeThickness volumeThickness(const PolarBalls& balls, const std::vector<double>& distances,
-  const VolumeOfInterest& volume, Index number, const Execution& execution)
+void check(const Eigen::AlignedBox3d& box, const ThicknessBounds& volume)
 {
-  const Eigen::AlignedBox3d box = volume.bounds ? *volume.bounds : boundingBox(balls.samples);
   if (!(box.sizes().minCoeff() > 0) || !box.sizes().allFinite())
   {
     throw InvalidInput("the volume of interest is empty: give bounds whose upper corner is above "
                        "the lower one in x, y and z");
   }
+  if (volume.bounds && 2 * volume.margin >= box.sizes().minCoeff())
+  {
+    throw InvalidInput("a margin of ", volume.margin,
+      " leaves nothing of the volume of interest: take larger bounds, or a smaller margin");
+  }
+}
+}
+
+VolumeThickness volumeThickness(const PolarBalls& balls, const std::vector<double>& distances,
+  const ThicknessBounds& volume, Index number, const Execution& execution)
+{
+  const Eigen::AlignedBox3d box = volume.bounds ? *volume.bounds : boundingBox(balls.samples);
+  check(box, volume);
   const std::vector<Place> places = evenPlaces(balls, box, number, execution.between(0, 0.5));
   const Sides sides = sidesOf(places);
   const std::vector<double> inside = diameters(

@@ -14,14 +14,14 @@
 
 namespace medial
 {
-/// The part of space whose thickness counts.
-struct VolumeOfInterest
+/// The part of the volume of interest whose thickness counts.
+struct ThicknessBounds
 {
   /// Where something larger was cut. None: the bounding box of the samples, which cuts nothing.
   std::optional<Eigen::AlignedBox3d> bounds;
 
-  /// How far inside the bounds thickness counts, since balls at the cut are too small; negative: half the mean thickness.
-  /// Only with bounds.
+  /// How far inside the bounds thickness counts, since balls at the cut are too small; negative: half the mean thickness,
+  /// and where that leaves nothing the thickness isn't known. Only with bounds.
   double margin = -1;
 };
 
@@ -40,10 +40,10 @@ struct VolumeThickness
 /// @param distances  wallDistances() of the balls
 /// @param number     of points inside, and at most of points outside; fewer where the solid fills less than 5 % of the
 ///                   volume
-/// @throw InvalidInput  bounds that are empty, or a margin that leaves nothing of them
+/// @throw InvalidInput  bounds that are empty, or a margin of 0 or more that leaves nothing of them
 /// @throw Aborted
 VolumeThickness volumeThickness(const PolarBalls& balls, const std::vector<double>& distances,
-  const VolumeOfInterest& volume = {}, Index number = 10000, const Execution& execution = {});
+  const ThicknessBounds& volume = {}, Index number = 10000, const Execution& execution = {});
 }
 
 #endif

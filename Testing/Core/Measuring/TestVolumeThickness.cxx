@@ -16,14 +16,14 @@
 using medial::Distribution;
 using medial::Point;
 using medial::PolarBalls;
-using medial::VolumeOfInterest;
+using medial::ThicknessBounds;
 using medial::VolumeThickness;
 
 namespace
 {
 constexpr double pi = 3.14159265358979323846;
 
-VolumeThickness measured(const PolarBalls& balls, const VolumeOfInterest& volume = {})
+VolumeThickness measured(const PolarBalls& balls, const ThicknessBounds& volume = {})
 {
   return volumeThickness(balls, wallDistances(balls, sampleWalls(balls)), volume);
 }
@@ -166,7 +166,7 @@ TEST(VolumeThickness, IsThatOfVoxelsOfNoSizeOfASponge)
   const Sponge sponge(seed);
   const PolarBalls balls = medial::polarBalls(sponge.samples(0.05));
   const double half = 0.5;
-  VolumeOfInterest cube;
+  ThicknessBounds cube;
   cube.bounds = Eigen::AlignedBox3d(Point::Constant(-half), Point::Constant(half));
   cube.margin = 0; // the solid isn't cut at the cube's faces
   const VolumeThickness measuredInCube = measured(balls, cube);
@@ -193,7 +193,7 @@ TEST(VolumeThickness, MeasuresGapsWhereTheirBallsAreInTheBounds)
 TEST(VolumeThickness, LeavesOutAMarginAtTheFacesOfTheBounds)
 {
   const PolarBalls box = medial::polarBalls(shapes::box().samples); // 3 x 2 x 1 about the origin
-  VolumeOfInterest volume;
+  ThicknessBounds volume;
   volume.bounds = Eigen::AlignedBox3d(Point(-1.5, -1, -0.5), Point(1.5, 1, 0.5));
   volume.margin = 0;
   const VolumeThickness all = measured(box, volume);
@@ -209,12 +209,23 @@ TEST(VolumeThickness, LeavesOutAMarginAtTheFacesOfTheBounds)
 TEST(VolumeThickness, RefusesAVolumeOfInterestThatIsEmpty)
 {
   const PolarBalls ball = medial::polarBalls(shapes::sphere().samples);
-  VolumeOfInterest volume;
+  ThicknessBounds volume;
   volume.bounds = Eigen::AlignedBox3d(Point(0, 0, 0), Point(1, 1, 0));
   EXPECT_THROW(measured(ball, volume), medial::InvalidInput);
   volume.bounds = Eigen::AlignedBox3d(Point::Constant(-0.5), Point::Constant(0.5));
   volume.margin = 0.5;
   EXPECT_THROW(measured(ball, volume), medial::InvalidInput);
+}
+
+TEST(VolumeThickness, IsUnknownWhereHalfOfItLeavesNothingOfTheBounds)
+{
+  ThicknessBounds volume;
+  volume.bounds = Eigen::AlignedBox3d(Point::Constant(-0.5), Point::Constant(0.5));
+  const VolumeThickness found = measured(medial::polarBalls(shapes::sphere().samples), volume);
+  EXPECT_EQ(found.thickness.number, 0); // of a sphere of diameter 2
+  EXPECT_TRUE(std::isnan(found.thickness.mean));
+  EXPECT_NEAR(found.margin, 1, 0.01);
+  EXPECT_EQ(found.share, 1);
 }
 
 TEST(VolumeThickness, GrowsWithTheUnitAndIgnoresThePosition)
