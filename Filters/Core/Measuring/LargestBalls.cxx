@@ -54,22 +54,29 @@ Index LargestBalls::leastPower(const Point& place) const
   return found == None ? None : this->numbers[found];
 }
 
-std::vector<Index> largestBallsAtSamples(
-  const PolarBalls& balls, Side side, double tolerance, const Execution& execution)
+std::vector<Index> largestBallsAt(const PolarBalls& balls, Side side,
+  const std::vector<Point>& places, double tolerance, const Execution& execution)
 {
   std::vector<Index> order =
     numbersOf(balls, side, [&balls](Index b) { return !balls.touchesGuard[b]; });
   std::stable_sort(order.begin(), order.end(),
     [&balls](Index a, Index b) { return balls.balls[a].radius > balls.balls[b].radius; });
-  const Neighbors neighbors(balls.samples);
-  Neighbors::Left left = neighbors.all();
-  std::vector<Index> result(balls.samples.size(), None);
-  for (Index i = 0; i < count(order); ++i)
+  std::vector<Index> result(places.size(), None);
+  const Index atOnce = std::max(count(order), Index(1) << 16); // an image has very many
+  for (Index begin = 0; begin < count(places); begin += std::min(atOnce, count(places) - begin))
   {
-    execution.pollAt(i);
-    const Ball& ball = balls.balls[order[i]];
-    neighbors.takeEachWithin(
-      ball.center, ball.radius + tolerance, left, [&](Index sample) { result[sample] = order[i]; });
+    const Index size = std::min(atOnce, count(places) - begin);
+    const std::vector<Point> some(places.begin() + begin, places.begin() + begin + size);
+    const Neighbors neighbors(some);
+    Neighbors::Left left = neighbors.all();
+    for (Index i = 0; i < count(order); ++i)
+    {
+      execution.pollAt(i);
+      const Ball& ball = balls.balls[order[i]];
+      neighbors.takeEachWithin(ball.center, ball.radius + tolerance, left,
+        [&](Index place) { result[begin + place] = order[i]; });
+    }
+    execution.report((begin + size) / double(count(places)));
   }
   return result;
 }

@@ -39,12 +39,11 @@ private:
   BallTree tree;
 };
 
-/// For each sample the largest ball of a side, or None, that it is on, up to a tolerance. Balls that touch the guard don't
-/// count.
-///
-/// The largest balls first take the samples near them, so that each sample is taken once: about linear time.
-std::vector<Index> largestBallsAtSamples(
-  const PolarBalls& balls, Side side, double tolerance, const Execution& execution = {});
+/// For each place the largest ball of a side, or None, that contains it, up to a tolerance. Balls that touch the guard
+/// don't count. Quicker than to look for one after another: the largest balls first take the places in them, so that
+/// each place is taken once.
+std::vector<Index> largestBallsAt(const PolarBalls& balls, Side side,
+  const std::vector<Point>& places, double tolerance, const Execution& execution = {});
 }
 
 #endif

@@ -12,20 +12,6 @@ namespace medial
 {
 namespace
 {
-std::vector<Index> ballsAt(const PolarBalls& balls, Side side, const std::vector<Point>* places,
-  double tolerance, const Execution& execution)
-{
-  if (!places)
-  {
-    return largestBallsAtSamples(balls, side, tolerance, execution);
-  }
-  const LargestBalls all(balls, side, [&balls](Index b) { return !balls.touchesGuard[b]; });
-  std::vector<Index> result(places->size());
-  execution.forEach(
-    count(result), [&](Index i) { result[i] = all.around((*places)[i], tolerance); });
-  return result;
-}
-
 PlaceThickness thicknessAt(std::vector<Index> balls, const std::vector<double>& distances)
 {
   PlaceThickness result{ std::move(balls), {} };
@@ -75,7 +61,8 @@ ThicknessReport thicknessReport(const PolarBalls& balls, const std::vector<Point
   const double tolerance = options.tolerance * balls.spacing;
   ThicknessReport result;
   const auto measured = [&](Side side, const Execution& part) {
-    return thicknessAt(ballsAt(balls, side, places, tolerance, part), distances);
+    return thicknessAt(
+      largestBallsAt(balls, side, places ? *places : balls.samples, tolerance, part), distances);
   };
   result.inside = measured(Side::Inner, execution.between(0.1, 0.3));
   if (options.separation)

@@ -44,13 +44,31 @@ TEST(LargestBalls, AreThoseOfALoopOverAll)
     for (const Side side : { Side::Inner, Side::Outer })
     {
       const LargestBalls tree(balls, side, [&](Index b) { return !balls.touchesGuard[b]; });
-      const std::vector<Index> atSamples = largestBallsAtSamples(balls, side, tolerance);
+      const std::vector<Index> atSamples = largestBallsAt(balls, side, balls.samples, tolerance);
       for (std::size_t s = 0; s < balls.samples.size(); s += 7)
       {
         const Index expected = largestByLoop(balls, side, balls.samples[s], tolerance);
         ASSERT_EQ(atSamples[s], expected);
         ASSERT_EQ(tree.around(balls.samples[s], tolerance), expected);
       }
+    }
+  }
+}
+
+TEST(LargestBalls, AreThoseOfALoopOverAllInTheVolume)
+{
+  const PolarBalls balls = medial::polarBalls(shapes::knot().samples);
+  std::vector<Point> places = shapes::cloud(100000, 3); // more than are looked at together
+  for (Point& place : places)
+  {
+    place *= 4;
+  }
+  for (const Side side : { Side::Inner, Side::Outer })
+  {
+    const std::vector<Index> found = medial::largestBallsAt(balls, side, places, 0);
+    for (std::size_t i = 0; i < places.size(); i += 501)
+    {
+      ASSERT_EQ(found[i], largestByLoop(balls, side, places[i], 0));
     }
   }
 }
@@ -70,7 +88,8 @@ TEST(LargestBalls, HoldASampleOfEachWallOnce)
 {
   const shapes::Shape shape = shapes::twoHolePlate();
   const PolarBalls balls = medial::polarBalls(shape.samples);
-  for (const Index ball : largestBallsAtSamples(balls, Side::Inner, 0.25 * balls.spacing))
+  for (const Index ball :
+    medial::largestBallsAt(balls, Side::Inner, balls.samples, 0.25 * balls.spacing))
   {
     ASSERT_NE(ball, None); // each sample is on its own inner ball
   }
