@@ -167,20 +167,28 @@ make_root()
   [ -e "$2/complete" ] && return
   install_packages debootstrap
   say "Making a root of $1 in $2"
+  unmount_proc "$2"
   as_root rm -rf "$2"
   mkdir -p "$2"
   as_root debootstrap --variant=minbase "$1" "$2" http://deb.debian.org/debian
   as_root touch "$2/complete"
 }
 
+# A run that was killed leaves it mounted.
+unmount_proc()
+{
+  while mountpoint -q "$1/proc"; do as_root umount "$1/proc"; done
+}
+
 # Runs a command in a root, in a clean clone of what is committed here. The root needs no git.
 run_in_root()
 {
   local root=$1
+  unmount_proc "$root"
   as_root rm -rf "$root/medial"
   as_root git -c safe.directory='*' clone --quiet --no-hardlinks "$top" "$root/medial"
   as_root mount -t proc proc "$root/proc"
-  trap "as_root umount '$root/proc'" EXIT
+  trap "unmount_proc '$root'" EXIT
   as_root env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 CCACHE_DIR=/ccache ${CI:+CI="$CI"} \
     chroot "$root" bash -c 'cd /medial && "$@"' run "${@:2}"
 }
