@@ -9,8 +9,9 @@
  *
  * At each point of the axis, with BT = `ErosionThickness` + `Radius` (when a fire from the border of the axis has
  * come there): one climbs along the sides of triangles, always the steepest one, to a summit of BT. There
- * the width is W = 2 BT and the thickness T = 2 `Radius`. On lines, W = T. A rod with an elliptic section of
- * half axes a and b has W / T = a / b; within 4 per cent for samples 0.2 b apart. Plates are where W / T is more
+ * the width is W = 2 BT. The thickness T is 2 `Radius` there; in plates, where balls bulge between samples, it is the
+ * distance of the samples on both sides (`Lambda`). On lines, W = T. A rod with an elliptic section of half axes a
+ * and b has W / T = a / b; within 3 per cent for samples 0.2 b apart. Plates are where W / T is more
  * than PlateRatio. What the fire does not reach (closed sheets, as of a hollow sphere) has a finite W of
  * more than twice the diagonal of the solid, which is no width: it is a plate.
  *
@@ -29,7 +30,8 @@
  *
  * Point data
  *  - `SheetWidth` (double): W.
- *  - `Thickness` (double): T. The diameter of the maximal ball at the summit, not of the one at the point.
+ *  - `Thickness` (double): T, at the summit, not at the point: the distance of the samples on both sides in plates, the
+ *    diameter of the maximal ball in rods.
  *  - `WidthRatio` (double): W / T.
  *  - `PlateOrRod` (unsigned char): 1 of a plate, 2 of a rod, 0 where no cell uses the point. That of
  *    the element, so it may differ from what W / T alone would say.

@@ -27,22 +27,11 @@ public:
 private:
   double sum = 0, weights = 0;
 };
-
-MedialAxis withRadii(MedialAxis axis, const std::vector<double>& distances)
-{
-  for (std::size_t i = 0; i < axis.radii.size(); ++i)
-  {
-    const Index ball = axis.ballOfPoint[i];
-    axis.radii[i] = ball == None ? axis.radii[i] : distances[ball];
-  }
-  return axis;
-}
 }
 
-PlateAndRodMeans plateAndRodMeans(const MedialAxis& made, const std::vector<double>& distances,
+PlateAndRodMeans plateAndRodMeans(const MedialAxis& axis, const std::vector<double>& distances,
   const Eigen::AlignedBox3d& box, const Execution& execution)
 {
-  const MedialAxis axis = withRadii(made, distances);
   const PlatesAndRods found = platesAndRods(axis, {}, execution);
   const std::vector<double> volumes = pointVolumes(axis);
   const double widest = boundingDiagonal(maximalBalls(axis)); // nothing is wider
@@ -56,7 +45,8 @@ PlateAndRodMeans plateAndRodMeans(const MedialAxis& made, const std::vector<doub
       continue;
     }
     const bool isPlate = found.elements[element].isPlate;
-    thickness[isPlate].add(2 * axis.radii[i], volumes[i]);
+    const Index ball = axis.ballOfPoint[i];
+    thickness[isPlate].add(2 * (ball == None ? axis.radii[i] : distances[ball]), volumes[i]);
     if (isPlate && found.widths.width[i] <= widest)
     {
       width.add(found.widths.width[i], volumes[i]);

@@ -31,8 +31,8 @@ struct PlateAndRodMeans
   Index plateJunctions = 0, mixedJunctions = 0, rodJunctions = 0;
 };
 
-/// @param distances  wallDistances() of the balls that the axis was made from: they stand for the radii, so that bulges
-///                   between samples don't count
+/// @param distances  wallDistances() of the balls that the axis was made from: of these are the thicknesses, so that
+///                   bulges between samples don't count
 /// @throw Aborted
 PlateAndRodMeans plateAndRodMeans(const MedialAxis& axis, const std::vector<double>& distances,
   const Eigen::AlignedBox3d& box, const Execution& execution = {});

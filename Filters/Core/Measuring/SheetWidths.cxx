@@ -60,20 +60,50 @@ void climb(std::vector<Index>& next, const Execution& execution)
     }
   }
 }
+
+/// For each point the largest distance of two samples that a triangle there is equally far from; 0 without a triangle.
+std::vector<double> sampleDistances(const MedialAxis& axis)
+{
+  std::vector<double> result(axis.points.size(), 0);
+  const Index first = axis.cells.firstTriangle();
+  for (Index t = 0; t < count(axis.cells.triangles); ++t)
+  {
+    for (const Index p : axis.cells.triangles[t])
+    {
+      result[p] = std::max(result[p], axis.siteViews[first + t].lambda);
+    }
+  }
+  return result;
+}
+
+/// How thick the solid is at a point. Between flat walls this is the distance of samples on both sides, and the
+/// ball bulges between them; in a rod it is the ball, and both samples may lie on the same side of it. The
+/// wider the sheet, the more the samples count.
+double thicknessAt(double diameter, double width, double distance)
+{
+  constexpr double flat = 1.5; // width in diameters from which on a sheet lies between flat walls
+  if (!(distance > 0 && distance < diameter))
+  {
+    return diameter;
+  }
+  const double share = std::clamp((width / diameter - 1) / (flat - 1), 0.0, 1.0);
+  return diameter + share * (distance - diameter);
+}
 }
 
 SheetWidths sheetWidths(const MedialAxis& axis, const AxisEdges& edges, const Execution& execution)
 {
-  const std::vector<double> time = burnTimes(axis);
+  const std::vector<double> time = burnTimes(axis), distance = sampleDistances(axis);
   SheetWidths result;
   result.summit = steepest(axis, edges, time);
   climb(result.summit, execution);
   for (const Index top : result.summit)
   {
-    const double radius = axis.radii[top];
-    result.width.push_back(2 * time[top]);
-    result.thickness.push_back(2 * radius);
-    result.ratio.push_back(radius > 0 ? time[top] / radius : 1);
+    const double width = 2 * time[top];
+    const double thickness = thicknessAt(2 * axis.radii[top], width, distance[top]);
+    result.width.push_back(width);
+    result.thickness.push_back(thickness);
+    result.ratio.push_back(thickness > 0 ? width / thickness : 1);
   }
   return result;
 }

@@ -15,8 +15,9 @@ namespace medial
 /// The burn time of a point is its erosion thickness plus its radius: when the fire from the border of
 /// the solid has come there. From each point one climbs along the sides of triangles, always the
 /// steepest one, to a summit of the burn time, the middle of the sheet. There the fire has come half
-/// the width of the sheet: W = 2 * burn time, T = 2 * radius. A rod with an elliptic section has
-/// W / T = a / b but for the caps that its axis lacks.
+/// the width of the sheet: W = 2 * burn time. T is the distance of the walls there, of the samples on both sides:
+/// balls bulge between the samples of a plate. A rod with an elliptic section has W / T = a / b but for what its axis
+/// lacks at the sharp ends, less than 3 % with samples a tenth of the thickness apart, up to 6 % with a fifth.
 ///
 /// What no fire reaches (closed sheets, as of a hollow sphere) has the largest erosion thickness of
 /// all, at least the diagonal of the box around the balls. So its width is more than twice that
