@@ -17,7 +17,9 @@ namespace medial
 /// volume; not a number where there is nothing to weigh.
 struct PlateAndRodMeans
 {
-  double plateShare = std::numeric_limits<double>::quiet_NaN(); ///< of the volume in the box
+  /// Of the volume in the box. By the width at each point, not by whole elements: none where it is up to 1.25, all
+  /// where it is from 1.75 thicknesses on; none in rods that meet no plate.
+  double plateShare = std::numeric_limits<double>::quiet_NaN();
   double rodShare = plateShare;
   Index plates = 0; ///< whose centroid is in the box
   Index rods = 0;

@@ -4,6 +4,7 @@
 #include "Base/Frame.h"
 #include "Measuring/SampleWalls.h"
 #include "Shapes.h"
+#include "Struts.h"
 
 #include <gtest/gtest.h>
 
@@ -32,8 +33,8 @@ TEST(PlateAndRodMeans, OfAPlateAreItsThicknessAndWidth)
   const PlateAndRodMeans means = meansOf(shapes::hollowSphere());
   EXPECT_EQ(means.plates, 1);
   EXPECT_EQ(means.rods, 0);
-  EXPECT_EQ(means.plateShare, 1);
-  EXPECT_EQ(means.rodShare, 0);
+  EXPECT_NEAR(means.plateShare, 1, 1e-12);
+  EXPECT_NEAR(means.rodShare, 0, 1e-12);
   EXPECT_NEAR(means.plateThickness, 0.5, 0.01); // by radii 8 % more
   EXPECT_TRUE(std::isnan(means.rodThickness));
   EXPECT_TRUE(std::isnan(means.plateWidth)); // it has no border
@@ -64,4 +65,19 @@ TEST(PlateAndRodMeans, CountElementsWhoseCentroidIsInTheBox)
   EXPECT_EQ(part.plates, 0); // the plate's centroid is in the middle
   EXPECT_GT(part.plateShare, 0.5);
   EXPECT_NEAR(part.plateThickness, 0.4, 0.01);
+}
+
+TEST(PlateAndRodMeans, ShareTheVolumeByWidth)
+{
+  const auto plateShare = [](const std::vector<Point>& samples) {
+    shapes::Shape shape;
+    shape.samples = samples;
+    const PlateAndRodMeans means = meansOf(shape);
+    EXPECT_NEAR(means.plateShare + means.rodShare, 1, 1e-12);
+    return means.plateShare;
+  };
+  // Where rods meet there are sheets, which are no plates.
+  EXPECT_EQ(plateShare(shapes::strutSamples(shapes::tetrahedronFrame(), 0.25, 0.09, 1)), 0);
+  EXPECT_NEAR(plateShare(shapes::strutSamples(shapes::platesAndRod(), 0.12, 0.05, 1)), 0.94, 0.02);
+  EXPECT_GT(plateShare(shapes::ellipticRod(1, 0.5, 0.1, 1)), 0.98);
 }
