@@ -11,7 +11,7 @@
 #include <utility>
 
 // Added samples change the balls around them only. So they are tried with these balls, which takes hundredths of a
-// second, and all balls are made once, to see that the topology stays.
+// second. All balls are made once, with the last samples, to see that the topology stays.
 namespace medial
 {
 namespace
@@ -29,34 +29,26 @@ public:
   std::vector<FarFace> improve(
     PolarBallsAndSamples& made, BoundarySamples& samples, const Execution& execution) const
   {
-    constexpr int rounds = 3;
-    std::vector<FarFace> faces = this->farFacesOf(made, samples, execution);
-    for (int round = 0; round < rounds && badness(faces)[0] > 0; ++round)
+    std::vector<FarFace> faces = this->farFacesOf(made, samples, execution.between(0, 0.1));
+    std::vector<BoundarySamples> better =
+      this->betterSamples(faces, made.balls, samples, execution.between(0.1, 0.4));
+    for (; !better.empty(); better.pop_back())
     {
-      const Execution part =
-        execution.between(round / double(rounds), (round + 1) / double(rounds));
-      BoundarySamples more = this->addAround(faces, made.balls, samples, part.between(0, 0));
-      // What is left after the first round is the hardest: often other faces become far then.
-      if (more.points.size() == samples.points.size() ||
-        (round > 0 &&
-          badness(this->farFacesAround(faces, made.balls, more, reach, part)) >= badness(faces)))
-      {
-        break;
-      }
+      const Execution part = execution.between(0.4, 1);
       PolarBallsAndSamples later =
-        polarBallsAndSamples(positions(more.points), {}, part, &this->tree);
+        polarBallsAndSamples(positions(better.back().points), {}, part, &this->tree);
       if (later.powerShape != made.powerShape)
       {
-        break;
+        continue;
       }
-      std::vector<FarFace> left = this->farFacesOf(later, more, part);
-      if (badness(left) >= badness(faces))
+      std::vector<FarFace> left = this->farFacesOf(later, better.back(), part);
+      if (badness(left) < badness(faces))
       {
+        faces = std::move(left);
+        made = std::move(later);
+        samples = std::move(better.back());
         break;
       }
-      faces = std::move(left);
-      made = std::move(later);
-      samples = std::move(more);
     }
     faces.erase(std::remove_if(faces.begin(), faces.end(),
                   [](const FarFace& face) { return face.distance <= told; }),
@@ -70,6 +62,35 @@ private:
   static constexpr double most = 0.9 * wanted;  // nearly as far
   static constexpr double reach = 8;            // spacings: the balls there change with a sample
   static constexpr double next = 3;             // spacings: where it is tried for a face
+  static constexpr double margin = 3;           // spacings: so far around faces their balls are made
+
+  /// Samples with which fewer faces are far, by the balls around them; the best last.
+  std::vector<BoundarySamples> betterSamples(const std::vector<FarFace>& faces,
+    const PolarBalls& balls, const BoundarySamples& samples, const Execution& execution) const
+  {
+    constexpr int rounds = 3;
+    std::vector<BoundarySamples> result;
+    std::vector<FarFace> left = faces, changed = faces; // all that were far once
+    for (int round = 0; round < rounds && badness(left)[0] > 0; ++round)
+    {
+      const BoundarySamples& last = result.empty() ? samples : result.back();
+      BoundarySamples more = this->addAround(left, balls, last, execution);
+      if (more.points.size() == last.points.size())
+      {
+        break;
+      }
+      // What is left after the first round is the hardest: often other faces become far then.
+      std::vector<FarFace> now = this->farFacesAround(changed, balls, more, reach, execution);
+      if (badness(now) >= badness(left))
+      {
+        break;
+      }
+      changed.insert(changed.end(), now.begin(), now.end());
+      left = std::move(now);
+      result.push_back(std::move(more));
+    }
+    return result;
+  }
 
   static std::array<Index, 2> badness(const std::vector<FarFace>& faces)
   {
@@ -129,7 +150,7 @@ private:
     std::vector<Index> core;
     for (const FarFace& face : faces)
     {
-      const std::vector<Index> near = neighbors.within(face.place, reach * face.spacing);
+      const std::vector<Index> near = neighbors.within(face.place, (distance + margin) * face.spacing);
       core.insert(core.end(), near.begin(), near.end());
     }
     sortUnique(core);
