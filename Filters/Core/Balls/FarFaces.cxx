@@ -96,9 +96,10 @@ std::vector<Shares> grid(int divisions)
 class Distances
 {
 public:
+  /// @param faces  will be measured
   Distances(const PolarBalls& theBalls, const std::vector<SurfacePoint>& theSamples,
     const SurfaceTree& theSolid, double most, const PlacesLeftOut& theLeftOut,
-    const Execution& execution)
+    const Lists<EdgeCell>& faces, const Execution& execution)
     : balls(theBalls)
     , samples(theSamples)
     , solid(theSolid)
@@ -106,7 +107,19 @@ public:
     , neighbors(theBalls.samples)
     , spacings(meanDistances(theBalls.samples, this->neighbors, execution))
     , frame(frameOf(theBalls.samples))
+    , vertices(theBalls.triangulation.cells.size())
   {
+    std::vector<char> isUsed(this->vertices.size(), 0);
+    for (const EdgeCell& each : faces.items)
+    {
+      isUsed[each.second] = 1;
+    }
+    execution.forEach(count(isUsed), [&](Index c) {
+      if (isUsed[c])
+      {
+        this->vertices[c] = this->vertex(theBalls.triangulation.cells[c]);
+      }
+    });
     constexpr double nearly = 0.8; // of the distance: then more places may be worth it
     this->quick = { { { 0, 1, 0 }, { 2 / 3.0, 1 / 3.0, 0 }, { 0, 0.5, 0.5 }, { 0.5, 0.25, 0.25 } },
       nearly * most, 0.5 };
@@ -159,7 +172,7 @@ private:
     corners.reserve(cells.size());
     for (const auto& [same, c] : cells)
     {
-      corners.push_back(this->vertex(this->balls.triangulation.cells[c]));
+      corners.push_back(this->vertices[c]);
       result.middle += corners.back() / cells.size();
     }
     const Point across = this->balls.balls[edge[1]].center - this->balls.balls[edge[0]].center;
@@ -187,6 +200,10 @@ private:
     // Samples and their triangles tell of most places that they are near enough, at less cost.
     constexpr double less = 0.6; // so much at least is the spacing at the place itself
     const double enough = less * look.least * this->spacings[nearest];
+    if (this->isAlong(this->samples[nearest].triangle, face, enough))
+    {
+      return {};
+    }
     std::optional<FarFace> result = this->farPlace(face.middle, around, enough, look);
     for (std::size_t i = 0; i < face.corners.size(); ++i)
     {
@@ -222,9 +239,27 @@ private:
 
   Index nearestOf(const std::vector<Index>& someSamples, const Point& place) const
   {
-    return *std::min_element(someSamples.begin(), someSamples.end(), [&](Index a, Index b) {
-      return this->squaredDistance(place, a) < this->squaredDistance(place, b);
-    });
+    Index result = someSamples.front();
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index sample : someSamples)
+    {
+      const double squared = this->squaredDistance(place, sample);
+      if (squared < least)
+      {
+        least = squared;
+        result = sample;
+      }
+    }
+    return result;
+  }
+
+  /// Is all of a face near one triangle? It is where its corners are, as triangles are convex.
+  bool isAlong(Index triangle, const Fan& face, double near) const
+  {
+    const auto isNear = [&](const Point& place) {
+      return this->solid.distance(place, triangle) < near;
+    };
+    return isNear(face.middle) && std::all_of(face.corners.begin(), face.corners.end(), isNear);
   }
 
   /// How far a place is from the samples around, or from their triangles, if that is less; any distance below `enough`
@@ -286,6 +321,7 @@ private:
   Neighbors neighbors;
   std::vector<double> spacings; ///< at the samples
   Frame frame;
+  std::vector<Point> vertices; ///< of the power diagram, by cells; those of the faces
   Look quick, thorough;
 };
 }
@@ -294,7 +330,7 @@ std::vector<FarFace> farFaces(const PolarBalls& balls, const std::vector<Surface
   const SurfaceTree& solid, double most, const PlacesLeftOut& leftOut, const Execution& execution)
 {
   const Lists<EdgeCell> faces = oddEdges(balls);
-  const Distances distances(balls, samples, solid, most, leftOut, execution);
+  const Distances distances(balls, samples, solid, most, leftOut, faces, execution);
   std::vector<std::optional<FarFace>> far(faces.size());
   execution.forEach(faces.size(), [&](Index f) { far[f] = distances.farthest(faces[f]); });
   std::vector<FarFace> result;
