@@ -6,6 +6,7 @@
 #include "Base/Tetrahedra.h"
 
 #include <algorithm>
+#include <iterator>
 
 // A ball through samples with no other sample inside is one of the Delaunay triangulation of all samples. The
 // Voronoi cell of a sample among few others contains that among all; so where the sphere around its farthest
@@ -87,14 +88,16 @@ PolarBalls only(const std::vector<Index>& chosen, const PolarBalls& all, const S
 }
 
 BallsAround ballsAround(const std::vector<Index>& core, const PolarBalls& before,
-  const std::vector<Point>& samples, const Neighbors& neighbors, const SurfaceTree& solid,
-  const Execution& execution)
+  const std::vector<Point>& samples, const MoreNeighbors& neighbors, const SurfaceTree& solid,
+  const Execution& execution, const std::vector<Index>& likely)
 {
   BallsAround result;
   result.samples = coreAndNeighbors(core, before, count(samples));
   const std::vector<Index> farthest = extremes(samples);
   result.samples.insert(result.samples.end(), farthest.begin(), farthest.end());
+  result.samples.insert(result.samples.end(), likely.begin(), likely.end());
   sortUnique(result.samples);
+  const std::vector<Index> expected = result.samples;
   std::size_t known = 0;
   while (result.samples.size() > known)
   {
@@ -118,6 +121,8 @@ BallsAround ballsAround(const std::vector<Index>& core, const PolarBalls& before
       result.balls = only(chosen, made, solid, execution);
     }
   }
+  std::set_difference(result.samples.begin(), result.samples.end(), expected.begin(),
+    expected.end(), std::back_inserter(result.found));
   return result;
 }
 }

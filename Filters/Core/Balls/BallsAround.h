@@ -3,7 +3,7 @@
 #define medial_BallsAround_h
 
 #include "Balls/PolarBalls.h"
-#include "Base/Neighbors.h"
+#include "Base/MoreNeighbors.h"
 
 #include <vector>
 
@@ -13,6 +13,7 @@ namespace medial
 struct BallsAround
 {
   std::vector<Index> samples; ///< those of `balls`, by their numbers among all
+  std::vector<Index> found;   ///< those of them that only a search in the balls has found
   PolarBalls balls;           ///< that pass through a sample of the core
 };
 
@@ -22,10 +23,11 @@ struct BallsAround
 /// @param before     balls of the first of the samples: much the same ones, so that few samples have to be found
 /// @param neighbors  of the samples
 /// @param solid      tells the sides
+/// @param likely     more samples that may be on the balls, as those found before: then fewer searches are needed
 /// @throw Aborted
 BallsAround ballsAround(const std::vector<Index>& core, const PolarBalls& before,
-  const std::vector<Point>& samples, const Neighbors& neighbors, const SurfaceTree& solid,
-  const Execution& execution = {});
+  const std::vector<Point>& samples, const MoreNeighbors& neighbors, const SurfaceTree& solid,
+  const Execution& execution = {}, const std::vector<Index>& likely = {});
 }
 
 #endif

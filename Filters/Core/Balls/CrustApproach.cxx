@@ -4,10 +4,11 @@
 #include "Balls/BallsAround.h"
 #include "Balls/FarSpots.h"
 #include "Base/Lists.h"
-#include "Base/Neighbors.h"
+#include "Base/MoreNeighbors.h"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 // Added samples change the balls around them only. So they are tried with these balls, which takes hundredths of a
@@ -62,25 +63,29 @@ private:
   static constexpr double most = 0.9 * wanted;  // nearly as far
   static constexpr double reach = 8;            // spacings: the balls there change with a sample
   static constexpr double next = 3;             // spacings: where it is tried for a face
-  static constexpr double margin = 3;           // spacings: so far around faces their balls are made
+  static constexpr double margin = 3; // spacings: so far around faces their balls are made
 
   /// Samples with which fewer faces are far, by the balls around them; the best last.
   std::vector<BoundarySamples> betterSamples(const std::vector<FarFace>& faces,
     const PolarBalls& balls, const BoundarySamples& samples, const Execution& execution) const
   {
     constexpr int rounds = 3;
+    const std::vector<Point> places = positions(samples.points);
+    const Neighbors known(places);
+    std::vector<Index> onBalls;
     std::vector<BoundarySamples> result;
     std::vector<FarFace> left = faces, changed = faces; // all that were far once
     for (int round = 0; round < rounds && badness(left)[0] > 0; ++round)
     {
       const BoundarySamples& last = result.empty() ? samples : result.back();
-      BoundarySamples more = this->addAround(left, balls, last, execution);
+      BoundarySamples more = this->addAround(left, balls, last, known, onBalls, execution);
       if (more.points.size() == last.points.size())
       {
         break;
       }
       // What is left after the first round is the hardest: often other faces become far then.
-      std::vector<FarFace> now = this->farFacesAround(changed, balls, more, reach, execution);
+      std::vector<FarFace> now =
+        this->farFacesAround(changed, balls, more, known, onBalls, reach, execution);
       if (badness(now) >= badness(left))
       {
         break;
@@ -114,8 +119,11 @@ private:
 
   /// The samples with those added around far faces, again and again where faces are still far, that leave the fewest by
   /// the balls around them; in each spot on its own, as others don't reach it.
+  /// @param known    finds the first of the samples
+  /// @param onBalls  some of the first ones that are on balls through far samples; more after
   BoundarySamples addAround(const std::vector<FarFace>& faces, const PolarBalls& balls,
-    const BoundarySamples& samples, const Execution& execution) const
+    const BoundarySamples& samples, const Neighbors& known, std::vector<Index>& onBalls,
+    const Execution& execution) const
   {
     constexpr int rounds = 24; // most places are right after one or two
     // Samples as even as they can be; but some places need one that is nearer to others. Measured on 6 meshes.
@@ -131,30 +139,40 @@ private:
       BoundarySamples tried = spots.with(samples, &FarSpot::tried);
       const Index before = count(tried.points);
       const std::vector<FarFace> left = spots.left();
-      const bool isNew =
-        this->sampler.add(placesOf(left), tried, aparts[round % aparts.size()]) > 0;
+      const std::vector<Point> present = positions(tried.points);
+      const bool isNew = this->sampler.add(placesOf(left), tried, aparts[round % aparts.size()],
+                           MoreNeighbors(known, present)) > 0;
       spots.add(tried, before);
-      spots.judge(isNew ? this->farFacesAround(unsolved, balls, tried, next, execution) : left);
+      spots.judge(isNew
+          ? this->farFacesAround(unsolved, balls, tried, known, onBalls, next, execution)
+          : left);
     }
     return spots.with(samples, &FarSpot::best);
   }
 
   /// The far faces around those that were far.
   /// @param balls     of the samples before some were added
+  /// @param known     finds the first of the samples
+  /// @param onBalls   see addAround()
   /// @param distance  so far around them, in spacings
   std::vector<FarFace> farFacesAround(const std::vector<FarFace>& faces, const PolarBalls& balls,
-    const BoundarySamples& samples, double distance, const Execution& execution) const
+    const BoundarySamples& samples, const Neighbors& known, std::vector<Index>& onBalls,
+    double distance, const Execution& execution) const
   {
     const std::vector<Point> all = positions(samples.points);
-    const Neighbors neighbors(all);
+    const MoreNeighbors neighbors(known, all);
     std::vector<Index> core;
     for (const FarFace& face : faces)
     {
-      const std::vector<Index> near = neighbors.within(face.place, (distance + margin) * face.spacing);
+      const std::vector<Index> near =
+        neighbors.within(face.place, (distance + margin) * face.spacing);
       core.insert(core.end(), near.begin(), near.end());
     }
     sortUnique(core);
-    const BallsAround made = ballsAround(core, balls, all, neighbors, this->tree, execution);
+    const BallsAround made =
+      ballsAround(core, balls, all, neighbors, this->tree, execution, onBalls);
+    std::copy_if(made.found.begin(), made.found.end(), std::back_inserter(onBalls),
+      [&known](Index sample) { return sample < known.size(); });
     std::vector<SurfacePoint> points;
     for (const Index s : made.samples)
     {

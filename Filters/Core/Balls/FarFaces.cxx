@@ -92,20 +92,20 @@ std::vector<Shares> grid(int divisions)
   return result;
 }
 
-/// Measures how far places are from the surface.
-class Distances
+/// The face between two balls: triangles around its middle.
+struct Fan
+{
+  Point middle = Point::Zero();
+  std::vector<Point> corners; ///< in order around it
+};
+
+/// Makes the faces at edges, each corner once.
+class Fans
 {
 public:
-  /// @param faces  will be measured
-  Distances(const PolarBalls& theBalls, const std::vector<SurfacePoint>& theSamples,
-    const SurfaceTree& theSolid, double most, const PlacesLeftOut& theLeftOut,
-    const Lists<EdgeCell>& faces, const Execution& execution)
+  /// @param faces  will be asked for
+  Fans(const PolarBalls& theBalls, const Lists<EdgeCell>& faces, const Execution& execution)
     : balls(theBalls)
-    , samples(theSamples)
-    , solid(theSolid)
-    , leftOut(theLeftOut)
-    , neighbors(theBalls.samples)
-    , spacings(meanDistances(theBalls.samples, this->neighbors, execution))
     , frame(frameOf(theBalls.samples))
     , vertices(theBalls.triangulation.cells.size())
   {
@@ -120,53 +120,12 @@ public:
         this->vertices[c] = this->vertex(theBalls.triangulation.cells[c]);
       }
     });
-    constexpr double nearly = 0.8; // of the distance: then more places may be worth it
-    this->quick = { { { 0, 1, 0 }, { 2 / 3.0, 1 / 3.0, 0 }, { 0, 0.5, 0.5 }, { 0.5, 0.25, 0.25 } },
-      nearly * most, 0.5 };
-    this->thorough = { grid(6), most, 1 };
   }
 
-  /// The farthest of some places on the face between two balls, if it is too far.
-  /// @param cells  at the edge between the balls
-  std::optional<FarFace> farthest(const Lists<EdgeCell>::View& cells) const
+  /// @param cells  at the edge
+  Fan at(const Lists<EdgeCell>::View& cells) const
   {
     const Edge& edge = cells[0].first;
-    const Fan face = this->fanOf(edge, cells);
-    const std::vector<Index> around = this->samplesOf(edge);
-    return this->farthest(face, this->quick, around) ? this->farthest(face, this->thorough, around)
-                                                     : std::optional<FarFace>();
-  }
-
-private:
-  Point vertex(const Tetrahedron& cell) const
-  {
-    const Index sample = lowestCommonItem(this->balls.ballSamples, cell);
-    if (sample != None)
-    {
-      return this->balls.samples[sample];
-    }
-    const auto ball = [&](int k) { return this->frame.toLocal(this->balls.balls[cell[k]]); };
-    return this->frame.toWorld(
-      powerCenter({ ball(0), ball(1), ball(2), ball(3) }, constructionError));
-  }
-
-  /// Where to look on a face, and what to find.
-  struct Look
-  {
-    std::vector<Shares> places; ///< in each triangle, whose first corner is the middle of the face
-    double least;               ///< distance that counts, in spacings
-    double margin; ///< so much of the spacing is given to the test for places that are left out
-  };
-
-  /// The face between two balls: triangles around its middle.
-  struct Fan
-  {
-    Point middle = Point::Zero();
-    std::vector<Point> corners; ///< in order around it
-  };
-
-  Fan fanOf(const Edge& edge, const Lists<EdgeCell>::View& cells) const
-  {
     Fan result;
     std::vector<Point> corners;
     corners.reserve(cells.size());
@@ -191,6 +150,66 @@ private:
     }
     return result;
   }
+
+private:
+  Point vertex(const Tetrahedron& cell) const
+  {
+    const Index sample = lowestCommonItem(this->balls.ballSamples, cell);
+    if (sample != None)
+    {
+      return this->balls.samples[sample];
+    }
+    const auto ball = [&](int k) { return this->frame.toLocal(this->balls.balls[cell[k]]); };
+    return this->frame.toWorld(
+      powerCenter({ ball(0), ball(1), ball(2), ball(3) }, constructionError));
+  }
+
+  const PolarBalls& balls;
+  Frame frame;
+  std::vector<Point> vertices; ///< of the power diagram, by cells; those of the faces
+};
+
+/// Measures how far places are from the surface.
+class Distances
+{
+public:
+  /// @param faces  will be measured
+  Distances(const PolarBalls& theBalls, const std::vector<SurfacePoint>& theSamples,
+    const SurfaceTree& theSolid, double most, const PlacesLeftOut& theLeftOut,
+    const Lists<EdgeCell>& faces, const Execution& execution)
+    : balls(theBalls)
+    , samples(theSamples)
+    , solid(theSolid)
+    , leftOut(theLeftOut)
+    , neighbors(theBalls.samples)
+    , spacings(meanDistances(theBalls.samples, this->neighbors, execution))
+    , fans(theBalls, faces, execution)
+  {
+    constexpr double nearly = 0.8; // of the distance: then more places may be worth it
+    this->quick = { { { 0, 1, 0 }, { 2 / 3.0, 1 / 3.0, 0 }, { 0, 0.5, 0.5 }, { 0.5, 0.25, 0.25 } },
+      nearly * most, 0.5 };
+    this->thorough = { grid(6), most, 1 };
+  }
+
+  /// The farthest of some places on the face between two balls, if it is too far.
+  /// @param cells  at the edge between the balls
+  std::optional<FarFace> farthest(const Lists<EdgeCell>::View& cells) const
+  {
+    const Edge& edge = cells[0].first;
+    const Fan face = this->fans.at(cells);
+    const std::vector<Index> around = this->samplesOf(edge);
+    return this->farthest(face, this->quick, around) ? this->farthest(face, this->thorough, around)
+                                                     : std::optional<FarFace>();
+  }
+
+private:
+  /// Where to look on a face, and what to find.
+  struct Look
+  {
+    std::vector<Shares> places; ///< in each triangle, whose first corner is the middle of the face
+    double least;               ///< distance that counts, in spacings
+    double margin; ///< so much of the spacing is given to the test for places that are left out
+  };
 
   /// @param around  samples of the balls
   std::optional<FarFace> farthest(
@@ -320,8 +339,7 @@ private:
   const PlacesLeftOut& leftOut;
   Neighbors neighbors;
   std::vector<double> spacings; ///< at the samples
-  Frame frame;
-  std::vector<Point> vertices; ///< of the power diagram, by cells; those of the faces
+  Fans fans;
   Look quick, thorough;
 };
 }

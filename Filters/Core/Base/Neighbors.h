@@ -22,6 +22,8 @@ public:
   /// @param points  are referred to
   explicit Neighbors(const std::vector<Point>& points);
 
+  Index size() const { return count(this->points); }
+
   /// The other points nearest to a point, nearest first; fewer where there are not so many. Threads
   /// may search at the same time.
   std::vector<Index> nearest(Index point, Index howMany) const;

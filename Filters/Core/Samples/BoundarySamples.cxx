@@ -304,8 +304,8 @@ bool BoundarySampler::isAtSharpEdge(const Point& place, double distance) const
   return this->implementation->sharpEdges.distance(place) < distance;
 }
 
-Index BoundarySampler::add(
-  const std::vector<Point>& places, BoundarySamples& samples, double apart) const
+Index BoundarySampler::add(const std::vector<Point>& places, BoundarySamples& samples, double apart,
+  const MoreNeighbors& present) const
 {
   const Implementation& known = *this->implementation;
   std::vector<SurfacePoint> found;
@@ -314,14 +314,16 @@ Index BoundarySampler::add(
     const std::vector<SurfacePoint> around = known.around(place);
     found.insert(found.end(), around.begin(), around.end());
   }
-  const std::vector<Point> before = positions(samples.points), at = positions(found);
-  const Neighbors present(before), candidates(at);
+  const std::vector<Point> at = positions(found);
+  const Neighbors candidates(at);
+  const Index before = count(samples.points);
   std::vector<char> isAdded(found.size(), 0);
   for (Index i = 0; i < count(found); ++i)
   {
     const double spacing = known.field.at(at[i]), near = apart * spacing;
     const std::vector<Index> around = candidates.within(i, near);
-    if ((before[present.nearestOne(at[i])] - at[i]).norm() >= near &&
+    const Point& nearest = samples.points[present.nearestOne(at[i])].position;
+    if ((nearest - at[i]).norm() >= near &&
       std::none_of(around.begin(), around.end(), [&](Index other) { return isAdded[other]; }))
     {
       isAdded[i] = 1;
@@ -329,7 +331,7 @@ Index BoundarySampler::add(
       samples.spacings.push_back(spacing);
     }
   }
-  return count(samples.points) - count(before);
+  return count(samples.points) - before;
 }
 
 void BoundarySampler::refine(const std::vector<Point>& places, const Execution& execution)

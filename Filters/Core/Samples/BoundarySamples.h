@@ -3,6 +3,7 @@
 #define medial_BoundarySamples_h
 
 #include "Base/Execution.h"
+#include "Base/MoreNeighbors.h"
 #include "Samples/ClosedSurface.h"
 #include "Samples/LocalThickness.h"
 
@@ -66,9 +67,11 @@ public:
 
   /// Adds samples to those that were made: the points of the surface nearest to each place, and on the opposite
   /// side of it, where there is no sample yet.
-  /// @param apart  from other samples, in spacings
-  /// @return       how many were added
-  Index add(const std::vector<Point>& places, BoundarySamples& samples, double apart) const;
+  /// @param apart    from other samples, in spacings
+  /// @param present  finds the samples
+  /// @return         how many were added
+  Index add(const std::vector<Point>& places, BoundarySamples& samples, double apart,
+    const MoreNeighbors& present) const;
 
 private:
   struct Implementation;

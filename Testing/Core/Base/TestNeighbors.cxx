@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Base/Neighbors.h"
+#include "Base/MoreNeighbors.h"
 
 #include "Shapes.h"
 
@@ -128,5 +128,25 @@ TEST(Neighbors, InOrderAreAllOfThem)
   for (Index p = 0; p < medial::count(points); ++p)
   {
     ASSERT_EQ(order[p], p);
+  }
+}
+
+TEST(MoreNeighbors, AreThoseAmongAllPoints)
+{
+  const std::vector<Point> points = shapes::cloud(300, 4);
+  const medial::Neighbors all(points);
+  for (const Index some : { 0, 7, 290, 300 })
+  {
+    const std::vector<Point> start(points.begin(), points.begin() + some);
+    const medial::Neighbors known(start);
+    const medial::MoreNeighbors neighbors(known, points);
+    for (const Point& place : shapes::cloud(50, 5))
+    {
+      ASSERT_EQ(neighbors.nearestOne(place), all.nearestOne(place)) << some;
+      std::vector<Index> found = neighbors.within(place, 0.3), expected = all.within(place, 0.3);
+      std::sort(found.begin(), found.end());
+      std::sort(expected.begin(), expected.end());
+      ASSERT_EQ(found, expected) << some;
+    }
   }
 }

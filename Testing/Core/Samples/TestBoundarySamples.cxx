@@ -248,7 +248,12 @@ TEST(BoundarySamples, AreAddedOnBothWallsNextToAPlace)
   {
     places.emplace_back(0.1 * i, 0.5, 0.03); // within, nearer to the upper wall
   }
-  const Index added = sampler.add(places, samples, 0.2);
+  const auto addedAt = [&sampler, &samples](const std::vector<Point>& at) {
+    const std::vector<Point> present = medial::positions(samples.points);
+    const medial::Neighbors known(present);
+    return sampler.add(at, samples, 0.2, medial::MoreNeighbors(known, present));
+  };
+  const Index added = addedAt(places);
   EXPECT_GT(added, 10);
   EXPECT_EQ(medial::count(samples.points), before + added);
   EXPECT_EQ(samples.spacings.size(), samples.points.size());
@@ -265,7 +270,7 @@ TEST(BoundarySamples, AreAddedOnBothWallsNextToAPlace)
     EXPECT_EQ(plate.tree.distance(samples.points[i].position, samples.points[i].triangle), 0);
     EXPECT_LE(near(samples, samples.points[i].position, 0.999 * 0.2 * options.spacing), 1);
   }
-  EXPECT_EQ(sampler.add(places, samples, 0.2), 0);
+  EXPECT_EQ(addedAt(places), 0);
 }
 
 TEST(BoundarySamples, KnowWhatIsAtASharpEdge)
