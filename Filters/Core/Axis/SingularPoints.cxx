@@ -13,11 +13,12 @@ namespace medial
 {
 namespace
 {
-/// Is a point that lies on an inner ball inside no other one?
+/// Is a point that lies on inner balls inside no other one?
+/// @param near  a cell with these balls
 bool isOnUnion(
-  const PowerLocator& locator, const std::vector<Side>& sides, const Point& p, Index ball)
+  const PowerLocator& locator, const std::vector<Side>& sides, const Point& p, Index near)
 {
-  const Index cell = locator.locate(p, ball);
+  const Index cell = locator.locate(p, near);
   if (cell == None)
   {
     return true;
@@ -75,7 +76,8 @@ std::vector<Crossing> crossings(const PolarBalls& polarBalls, const PowerShape& 
     }
     const auto local = [&](int k) { return locator.balls()[balls[k]]; };
     const auto point = boundaryIntersection(local(0), local(1), local(2));
-    if (point && isOnUnion(locator, polarBalls.sides, *point, balls[0]))
+    const Index near = cell != None ? cell : triangle.cells[1 - i % 2];
+    if (point && isOnUnion(locator, polarBalls.sides, *point, near))
     {
       found[i] = { triangle.balls, frame.toWorld(*point) };
     }

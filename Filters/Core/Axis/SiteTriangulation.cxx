@@ -67,6 +67,23 @@ struct Classifier
     return least;
   }
 
+  /// A cell of a ball at one of the corners, one that is likely to be near to a point.
+  Index cellNear(const Point& p, const Tetrahedron& corners) const
+  {
+    Index best = this->sites.balls[corners[0]][0];
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index site : corners)
+    {
+      for (const Index ball : this->sites.balls[site])
+      {
+        const double remoteness = this->locator.remoteness(p, ball);
+        best = remoteness < least ? ball : best;
+        least = std::min(least, remoteness);
+      }
+    }
+    return this->locator.cellAt(best);
+  }
+
   const PolarBalls& polarBalls;
   const PowerShape& shape;
   const SingularPoints& sites;
@@ -83,7 +100,7 @@ struct Classifier
     {
       return; // no walk towards a centre that may be far off
     }
-    const Index cell = this->locator.locate(sphere.center, this->sites.balls[corners[0]][0]);
+    const Index cell = this->locator.locate(sphere.center, this->cellNear(sphere.center, corners));
     if (cell == None)
     {
       return;

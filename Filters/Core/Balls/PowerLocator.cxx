@@ -11,6 +11,7 @@ PowerLocator::PowerLocator(
   const Tetrahedra& cells, const std::vector<Ball>& balls, const Frame& frame)
   : mesh(cells)
   , cellAtBall(balls.size(), None)
+  , cellCount(balls.size(), 0)
 {
   for (const Ball& ball : balls)
   {
@@ -21,6 +22,7 @@ PowerLocator::PowerLocator(
     for (const Index ball : cells.cells[c])
     {
       this->cellAtBall[ball] = c;
+      ++this->cellCount[ball];
     }
   }
 }
@@ -32,11 +34,11 @@ bool PowerLocator::isBeyond(const Point& p, Index cell, int side) const
   return orientation(center(0), center(1), center(2), p) < 0;
 }
 
-Index PowerLocator::locate(const Point& p, Index ball) const
+Index PowerLocator::locate(const Point& p, Index start) const
 {
   // A visibility walk ends in a regular triangulation; the limit is for cells that rounding turned.
   constexpr int stepLimit = 100000;
-  Index cell = this->cellAtBall[ball], from = None;
+  Index cell = start, from = None;
   for (int step = 0; step < stepLimit && cell != None; ++step)
   {
     int k = 0;

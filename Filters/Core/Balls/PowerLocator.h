@@ -20,9 +20,19 @@ public:
   /// The balls in the frame.
   const std::vector<Ball>& balls() const { return this->localBalls; }
 
-  /// @param ball  where to start; not hidden
-  /// @return      the cell, or None outside the convex hull of the centres
-  Index locate(const Point& p, Index ball) const;
+  /// A cell with a ball that isn't hidden.
+  Index cellAt(Index ball) const { return this->cellAtBall[ball]; }
+
+  /// How far a cell with a ball is likely to be from a point, for comparing: those of a ball with many cells are
+  /// far from each other.
+  double remoteness(const Point& p, Index ball) const
+  {
+    return (this->localBalls[ball].center - p).squaredNorm() * this->cellCount[ball];
+  }
+
+  /// @param start  the cell where to start: the nearer, the faster
+  /// @return       the cell, or None outside the convex hull of the centres
+  Index locate(const Point& p, Index start) const;
 
   /// The ball of a cell with the least power at a point.
   Index nearestBall(const Point& p, Index cell) const;
@@ -32,7 +42,7 @@ private:
 
   const Tetrahedra& mesh;
   std::vector<Ball> localBalls;
-  std::vector<Index> cellAtBall;
+  std::vector<Index> cellAtBall, cellCount;
 };
 }
 
