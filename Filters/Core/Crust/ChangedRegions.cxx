@@ -80,15 +80,24 @@ std::vector<ChangedRegion> changedRegions(std::vector<Tetrahedron> with,
     }
   });
   std::vector<ChangedRegion> result;
+  std::vector<Index> regionOfBall; // the last one in which each ball was met
   for (Index set = 0; set < cellsOfSet.size(); ++set)
   {
     ChangedRegion region;
     for (const Index c : cellsOfSet[set])
     {
-      region.balls.insert(region.balls.end(), changed[c].begin(), changed[c].end());
+      for (const Index ball : changed[c])
+      {
+        regionOfBall.resize(std::max<std::size_t>(regionOfBall.size(), ball + 1), None);
+        if (regionOfBall[ball] != set)
+        {
+          regionOfBall[ball] = set;
+          region.balls.push_back(ball);
+        }
+      }
       (c < withCount ? region.with : region.without).push_back(changed[c]);
     }
-    sortUnique(region.balls);
+    std::sort(region.balls.begin(), region.balls.end());
     std::set_intersection(region.balls.begin(), region.balls.end(), removed.begin(), removed.end(),
       std::back_inserter(region.removed));
     if (!region.removed.empty())
