@@ -17,17 +17,22 @@ namespace
 using Simplex = Tetrahedron;
 
 /// The simplex and all its faces.
-template <typename Corners>
-void addFaces(const Corners& corners, std::vector<Simplex>& faces)
+void addFaces(Simplex corners, std::vector<Simplex>& faces)
 {
-  for (unsigned subset = 1; subset < 1U << corners.size(); ++subset)
+  std::sort(corners.begin(), corners.end());
+  const auto begin = static_cast<unsigned>(std::count(corners.begin(), corners.end(), None));
+  const unsigned all = (15U << begin) & 15U;
+  for (unsigned subset = 1U << begin; subset <= all; subset += 1U << begin)
   {
     Simplex face{ None, None, None, None };
-    for (std::size_t k = 0; k < corners.size(); ++k)
+    std::size_t place = face.size();
+    for (unsigned k = 4; k-- > begin;)
     {
-      face[k] = subset & 1U << k ? corners[k] : None;
+      if ((subset & 1U << k) != 0)
+      {
+        face[--place] = corners[k];
+      }
     }
-    std::sort(face.begin(), face.end());
     faces.push_back(face);
   }
 }
@@ -65,14 +70,16 @@ std::vector<Simplex> lostSimplices(
   std::vector<Simplex> all, staying, result;
   for (const Tetrahedron& cell : replaced)
   {
-    std::vector<Index> corners;
-    std::copy_if(cell.begin(), cell.end(), std::back_inserter(corners),
-      [&inner](Index ball) { return ball != None && inner[ball]; });
-    addFaces(corners, all);
+    Simplex simplex = cell;
+    for (Index& ball : simplex)
+    {
+      ball = ball != None && inner[ball] ? ball : None;
+    }
+    addFaces(simplex, all);
   }
-  for (const Triangle& triangle : boundary(replaced))
+  for (const auto& [a, b, c] : boundary(replaced))
   {
-    addFaces(triangle, staying);
+    addFaces({ None, a, b, c }, staying);
   }
   sortUnique(all);
   sortUnique(staying);
