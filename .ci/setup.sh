@@ -8,7 +8,7 @@ build=${MEDIAL_BUILD:-$top/build}
 meshes=$build/data/meshes
 export CCACHE_DIR=${CCACHE_DIR:-$build/ccache}
 
-build_packages=(g++ cmake ninja-build ccache libvtk9-dev libvtk-dicom-dev libcgal-dev libeigen3-dev)
+build_packages=(g++ cmake ninja-build ccache libvtk9-dev 'libvtk-dicom-dev?' libcgal-dev libeigen3-dev)
 picture_packages=(xvfb libgl1-mesa-dri)
 paraview_packages=(paraview paraview-dev libopenmpi-dev openmpi-bin)
 qt5_packages=(qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5)

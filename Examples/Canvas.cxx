@@ -136,7 +136,7 @@ void Canvas::draw(vtkActor* actor, const View& view, const Area& area, const std
   const double strip = CaptionHeight * area.height;
   this->draw(actor, view, { area.left, area.bottom + strip, area.width, area.height - strip });
   vtkNew<vtkRenderer> below;
-  below->AddActor2D(captionActor(caption, Oversampling * area.width, Oversampling * strip));
+  below->AddViewProp(captionActor(caption, Oversampling * area.width, Oversampling * strip));
   this->add(below, { area.left, area.bottom, area.width, strip });
 }
 

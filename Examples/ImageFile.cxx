@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageFile.h"
 
+#ifdef MEDIAL_WITH_DICOM
 #include "DicomSeries.h"
+#endif
 #include "Errors.h"
 #include "ImageHeaders.h"
 #include "ImageNames.h"
@@ -159,6 +161,7 @@ OpenImage openedXml(const std::string& file)
     } };
 }
 
+#ifdef MEDIAL_WITH_DICOM
 OpenImage openedDicom(const ImageSource& source)
 {
   const auto reader = dicomReader(source.file, source.series);
@@ -171,6 +174,12 @@ OpenImage openedDicom(const ImageSource& source)
       return Image(reader->GetOutput());
     } };
 }
+#else
+OpenImage openedDicom(const ImageSource&)
+{
+  throw InputError("this SimplifyShape reads no DICOM: it was built without vtk-dicom");
+}
+#endif
 
 OpenImage opened(const ImageSource& source)
 {
