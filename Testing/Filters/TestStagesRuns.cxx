@@ -6,6 +6,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPassThrough.h>
 #include <vtkTable.h>
+#include <vtkVersion.h>
 
 #include <algorithm>
 #include <sstream>
@@ -118,8 +119,13 @@ TEST_P(Stages, StopInAllBlocksOfACollection)
   alone.filter()->Update();
   auto* output = vtkMultiBlockDataSet::SafeDownCast(alone.filter()->GetOutputDataObject(0));
   ASSERT_TRUE(output);
-  EXPECT_TRUE(isEmpty(output->GetBlock(0)));
-  EXPECT_TRUE(isEmpty(output->GetBlock(1)));
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 20220101)
+  EXPECT_EQ(output->GetNumberOfBlocks(), 2U); // since then the output of a stopped run has none
+#endif
+  for (unsigned int block = 0; block < output->GetNumberOfBlocks(); ++block)
+  {
+    EXPECT_TRUE(isEmpty(output->GetBlock(block)));
+  }
   alone.filter()->RemoveObserver(tag);
   alone.filter()->Update();
   output = vtkMultiBlockDataSet::SafeDownCast(alone.filter()->GetOutputDataObject(0));
