@@ -48,11 +48,9 @@ def write_part():
 def check_python():
     write("program.py", program("python") +
           "assert surface.GetOutput().GetNumberOfCells() > 1000\n")
-    if is_told_where:
-        package, = glob.glob(prefix + "/lib/**/medialaxis", recursive=True)
-        run("/usr/bin/python3", "program.py", PYTHONPATH=os.path.dirname(package))
-    else:
-        run("/usr/bin/python3", "program.py")
+    package, = glob.glob(prefix + "/lib/**/medialaxis", recursive=True)
+    where = {"PYTHONPATH": os.path.dirname(package)} if is_told_where else {}
+    run("/usr/bin/python3", "program.py", **where)
 
 
 def check_cxx():

@@ -35,7 +35,7 @@ def counted_lines(data):
 
 def line_counts(build):
     """For each file, how often each of its lines ran in all sources together."""
-    sources = sorted(path for path in build.rglob("*.gcno"))
+    sources = sorted(build.rglob("*.gcno"))
     counts = collections.defaultdict(collections.Counter)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for lines in pool.map(lambda source: list(counted_lines(source)), sources):

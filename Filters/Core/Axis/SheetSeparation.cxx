@@ -33,6 +33,26 @@ std::vector<Index> pathTo(Index step, const std::vector<Step>& steps)
   return path;
 }
 
+/// The radius of the maximal ball at a corner of a face.
+double radiusAt(const FaceComplex& faces, const FaceGeometry& geometry, Index polygon, Index vertex)
+{
+  const Index edge = faces.polygons[polygon].siteEdge;
+  if (edge == None)
+  {
+    return 0;
+  }
+  return (geometry.points[vertex] - geometry.sites[geometry.siteEdges[edge][0]]).norm();
+}
+
+/// The mean radius of the maximal balls at all corners: how deep in the solid the face is.
+double meanRadius(const FaceComplex& faces, const FaceGeometry& geometry, Index polygon)
+{
+  const std::vector<Index>& corners = faces.polygons[polygon].corners;
+  const double sum = std::accumulate(corners.begin(), corners.end(), 0.0,
+    [&](double part, Index v) { return part + radiusAt(faces, geometry, polygon, v); });
+  return sum / count(corners);
+}
+
 class Separation
 {
 public:
@@ -152,8 +172,8 @@ private:
   /// shallowest. The ends of the path are at the seam: they count only if there are no others.
   bool cut(const std::vector<Index>& path, Index vertex)
   {
-    const double reach =
-      std::max(this->radius(path.front(), vertex), this->radius(path.back(), vertex));
+    const double reach = std::max(radiusAt(this->faces, this->geometry, path.front(), vertex),
+      radiusAt(this->faces, this->geometry, path.back(), vertex));
     std::vector<Index> reached = path;
     if (path.size() > 2)
     {
@@ -172,7 +192,9 @@ private:
       {
         const Index p = reached[i];
         if (this->faces.freeSide(p) != None &&
-          (best == None || this->meanRadius(p) < this->meanRadius(best)))
+          (best == None ||
+            meanRadius(this->faces, this->geometry, p) <
+              meanRadius(this->faces, this->geometry, best)))
         {
           best = p;
         }
@@ -211,27 +233,6 @@ private:
         }
       });
     }
-  }
-
-  /// Of the maximal ball at a corner of a face.
-  double radius(Index polygon, Index vertex) const
-  {
-    const Index edge = this->faces.polygons[polygon].siteEdge;
-    if (edge == None)
-    {
-      return 0;
-    }
-    const Point& site = this->geometry.sites[this->geometry.siteEdges[edge][0]];
-    return (this->geometry.points[vertex] - site).norm();
-  }
-
-  /// Of the maximal balls at all corners: how deep in the solid the face is.
-  double meanRadius(Index polygon) const
-  {
-    const std::vector<Index>& corners = this->faces.polygons[polygon].corners;
-    const double sum = std::accumulate(corners.begin(), corners.end(), 0.0,
-      [&](double part, Index v) { return part + this->radius(polygon, v); });
-    return sum / count(corners);
   }
 
   FaceComplex& faces;

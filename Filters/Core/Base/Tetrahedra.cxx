@@ -212,18 +212,14 @@ std::vector<Tetrahedron> renumbered(
 
 Tetrahedra withNeighbors(std::vector<Tetrahedron> cells)
 {
-  Tetrahedra result;
-  result.neighbors = Matching(cells, false).neighbors();
-  result.cells = std::move(cells);
-  return result;
+  std::vector<Tetrahedron> neighbors = Matching(cells, false).neighbors();
+  return { std::move(cells), std::move(neighbors) };
 }
 
 Tetrahedra orientedWithNeighbors(std::vector<Tetrahedron> cells)
 {
-  Tetrahedra result;
-  result.neighbors = Matching(cells, true).neighbors();
-  result.cells = std::move(cells);
-  return result;
+  std::vector<Tetrahedron> neighbors = Matching(cells, true).neighbors();
+  return { std::move(cells), std::move(neighbors) };
 }
 
 EdgeNumbers edgeNumbers(const std::vector<Tetrahedron>& cells, Index pointCount)

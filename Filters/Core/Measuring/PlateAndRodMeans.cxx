@@ -21,7 +21,6 @@ public:
     this->sum += value * weight;
     this->weights += weight;
   }
-  double weight() const { return this->weights; }
   double value() const
   {
     return this->weights > 0 ? this->sum / this->weights : std::numeric_limits<double>::quiet_NaN();
