@@ -49,7 +49,7 @@ install_packages()
   say "Installing ${missing[*]}"
   as_root apt-get update -q
   for package in "${missing[@]}"; do
-    if [[ $package != *\? ]] || apt-cache show "${package%\?}" >/dev/null 2>&1; then
+    if [[ $package != *\? ]] || [ -n "$(apt-cache madison "${package%\?}")" ]; then
       wanted+=("${package%\?}")
     else
       say "This release of Debian has no ${package%\?}: it does without"
