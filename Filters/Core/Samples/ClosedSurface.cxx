@@ -47,6 +47,14 @@ Point fromKernel(const Kernel::Point_3& p)
   return { p.x(), p.y(), p.z() };
 }
 
+/// A halfedge of each border.
+std::vector<Halfedge> bordersOf(const Mesh& mesh)
+{
+  std::vector<Halfedge> result;
+  pmp::extract_boundary_cycles(mesh, std::back_inserter(result));
+  return result;
+}
+
 /// The oriented surface; a face for each triangle, in order.
 Mesh meshOf(const PolygonSoup& soup)
 {
@@ -60,7 +68,7 @@ Mesh meshOf(const PolygonSoup& soup)
   pmp::orient_polygon_soup(points, triangles);
   Mesh mesh;
   pmp::polygon_soup_to_polygon_mesh(points, triangles, mesh);
-  pmp::stitch_borders(mesh);
+  pmp::stitch_borders(bordersOf(mesh), mesh); // without borders, CGAL 6.2 doesn't compile it
   return mesh;
 }
 
@@ -75,8 +83,7 @@ std::string placeText(const Kernel::Point_3& p)
 void closeBorders(Mesh& mesh, double diagonal, ClosedSurface& result)
 {
   constexpr double small = 0.05; // of the diagonal: what a scanner or a modeller missed; not a cut
-  std::vector<Halfedge> cycles;
-  pmp::extract_boundary_cycles(mesh, std::back_inserter(cycles));
+  const std::vector<Halfedge> cycles = bordersOf(mesh);
   Index open = 0;
   Kernel::Point_3 somewhere;
   std::optional<Point> firstFilled;
