@@ -184,6 +184,8 @@ def arrays(data: vtkDataObject) -> dict[str, Any]:
     """
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
+    if data is None:  # VTK returns None where an output isn't of the kind that GetOutput() is for
+        raise TypeError("there is no data; take GetOutputDataObject(port) of a filter, which also gives tables")
     result = {}
     for kind in range(vtkDataObject.NUMBER_OF_ATTRIBUTE_TYPES):
         attributes = data.GetAttributesAsFieldData(kind)

@@ -15,7 +15,7 @@ import warnings
 import numpy
 
 import medialaxis
-from medialaxis import arrays, simplify
+from medialaxis import arrays, simplify, vtkMedialPartDecomposition
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -112,6 +112,12 @@ class Simplify(unittest.TestCase):
         self.assertAlmostEqual(table["RelativeVolume"].sum(), 1)
         self.assertEqual(len(table["PartId"]), arrays(result.axis)["NumberOfParts"][0])
         self.assertEqual(arrays(result.history)["Threshold"].tolist(), [5, 0.01])
+
+    def test_arrays_of_nothing_say_how_to_get_a_table(self):
+        parts = vtkMedialPartDecomposition()
+        with self.assertRaisesRegex(TypeError, "GetOutputDataObject"):
+            arrays(parts.GetOutput(1))
+        self.assertEqual(arrays(parts.GetOutputDataObject(1)), {})
 
     def test_takes_lists_and_the_default_schedule(self):
         listed = simplify(ellipsoid(400).tolist())
