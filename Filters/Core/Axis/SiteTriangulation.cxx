@@ -81,7 +81,7 @@ struct Classifier
         least = std::min(least, remoteness);
       }
     }
-    return this->locator.cellAt(best);
+    return this->locator.cellTowards(p, best);
   }
 
   const PolarBalls& polarBalls;

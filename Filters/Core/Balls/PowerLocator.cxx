@@ -10,21 +10,11 @@ namespace medial
 PowerLocator::PowerLocator(
   const Tetrahedra& cells, const std::vector<Ball>& balls, const Frame& frame)
   : mesh(cells)
-  , cellAtBall(balls.size(), None)
-  , cellCount(balls.size(), 0)
+  , localBalls(balls.size())
+  , starts(mesh, localBalls)
 {
-  for (const Ball& ball : balls)
-  {
-    this->localBalls.push_back(frame.toLocal(ball));
-  }
-  for (Index c = 0; c < count(cells.cells); ++c)
-  {
-    for (const Index ball : cells.cells[c])
-    {
-      this->cellAtBall[ball] = c;
-      ++this->cellCount[ball];
-    }
-  }
+  std::transform(balls.begin(), balls.end(), this->localBalls.begin(),
+    [&frame](const Ball& ball) { return frame.toLocal(ball); });
 }
 
 bool PowerLocator::isBeyond(const Point& p, Index cell, int side) const

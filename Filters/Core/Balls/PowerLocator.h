@@ -2,6 +2,7 @@
 #ifndef medial_PowerLocator_h
 #define medial_PowerLocator_h
 
+#include "Balls/StartCells.h"
 #include "Base/Frame.h"
 #include "Base/Tetrahedra.h"
 #include "Base/Types.h"
@@ -20,14 +21,14 @@ public:
   /// The balls in the frame.
   const std::vector<Ball>& balls() const { return this->localBalls; }
 
-  /// A cell with a ball that isn't hidden.
-  Index cellAt(Index ball) const { return this->cellAtBall[ball]; }
+  /// A cell of a ball that isn't hidden, to start in on the way to a point.
+  Index cellTowards(const Point& p, Index ball) const { return this->starts.towards(p, ball); }
 
   /// How far a cell with a ball is likely to be from a point, for comparing: those of a ball with many cells are
   /// far from each other.
   double remoteness(const Point& p, Index ball) const
   {
-    return (this->localBalls[ball].center - p).squaredNorm() * this->cellCount[ball];
+    return (this->localBalls[ball].center - p).squaredNorm() * this->starts.cellCount(ball);
   }
 
   /// @param start  the cell where to start: the nearer, the faster
@@ -42,7 +43,7 @@ private:
 
   const Tetrahedra& mesh;
   std::vector<Ball> localBalls;
-  std::vector<Index> cellAtBall, cellCount;
+  StartCells starts;
 };
 }
 
