@@ -52,6 +52,21 @@ std::set<Index> PolygonIncidence::neighbors(Index vertex) const
   return result;
 }
 
+bool PolygonIncidence::areNeighbors(Index a, Index b) const
+{
+  if (this->entries(b) < this->entries(a))
+  {
+    std::swap(a, b);
+  }
+  const std::vector<Index>& atA = this->at[a];
+  return std::any_of(atA.begin(), atA.end(), [&](Index p) {
+    const std::vector<Index>& corners = this->corners(p);
+    const Index place = placeOf(corners, a);
+    return place < count(corners) &&
+      (cornerAfter(corners, place, 1) == b || cornerAfter(corners, place, -1) == b);
+  });
+}
+
 std::vector<Index> PolygonIncidence::shortestPath(Index a, Index b) const
 {
   std::map<Index, Index> from{ { a, a } };

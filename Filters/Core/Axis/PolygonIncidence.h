@@ -39,8 +39,14 @@ public:
     }
   }
 
+  /// As many polygons as are at a vertex, or somewhat more.
+  Index entries(Index vertex) const { return count(this->at[vertex]); }
+
   /// The vertices with which a vertex shares a side.
   std::set<Index> neighbors(Index vertex) const;
+
+  /// Do two vertices share a side?
+  bool areNeighbors(Index a, Index b) const;
 
   /// From a to b along sides, both included, with the fewest sides; empty where there is no path.
   std::vector<Index> shortestPath(Index a, Index b) const;

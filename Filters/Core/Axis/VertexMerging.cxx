@@ -19,7 +19,7 @@
 //
 // A contraction is the case in which nothing has to be filled or prevented.
 //
-// Usual merges look at the polygons at two vertices only. The search for a path takes time linear in
+// Usual merges look at the polygons at one of two vertices only. The search for a path takes time linear in
 // the polygons, but is needed only where two vertices that coincide are far apart along the axis.
 // Candidates for a merge are found by a grid in O(n log n) for n vertices.
 
@@ -82,33 +82,37 @@ private:
 
   std::vector<Closing> closings(Index a, Index b) const
   {
-    const std::set<Index> nearA = this->polygons.neighbors(a), nearB = this->polygons.neighbors(b);
+    // Found by the vertex with fewer polygons: those that many vertices were merged into have very many.
+    const bool byB = this->polygons.entries(b) < this->polygons.entries(a);
+    const Index from = byB ? b : a, to = byB ? a : b;
+    const Index forward = byB ? -1 : 1; // from a to b
+    const std::set<Index> near = this->polygons.neighbors(from);
     std::set<Index> between; // neighbours of both that a cut takes care of
     std::vector<Closing> result;
-    if (nearA.count(b) > 0)
+    if (near.count(to) > 0)
     {
       result.push_back({ None, None });
     }
-    this->polygons.forPolygonsAt(a, [&](Index p, Index place) {
+    this->polygons.forPolygonsAt(from, [&](Index p, Index place) {
       const std::vector<Index>& corners = this->polygons.corners(p);
       const bool alongSide =
-        cornerAfter(corners, place, 1) == b || cornerAfter(corners, place, -1) == b;
-      if (std::find(corners.begin(), corners.end(), b) != corners.end() && !alongSide)
+        cornerAfter(corners, place, 1) == to || cornerAfter(corners, place, -1) == to;
+      if (std::find(corners.begin(), corners.end(), to) != corners.end() && !alongSide)
       {
         result.push_back({ p, None });
       }
-      for (const Index step : { 1, -1 })
+      for (const Index step : { forward, -forward })
       {
         const Index v = cornerAfter(corners, place, step);
-        if (cornerAfter(corners, place, 2 * step) == b && !between.insert(v).second)
+        if (cornerAfter(corners, place, 2 * step) == to && !between.insert(v).second)
         {
           result.push_back({ None, v }); // two such faces enclose a void
         }
       }
     });
-    for (const Index v : nearA)
+    for (const Index v : near)
     {
-      if (nearB.count(v) > 0 && between.count(v) == 0)
+      if (between.count(v) == 0 && this->polygons.areNeighbors(v, to))
       {
         result.push_back({ None, v });
       }
