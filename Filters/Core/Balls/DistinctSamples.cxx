@@ -92,7 +92,7 @@ void mergeNearDuplicates(
   distinct.tolerance = options.tolerance < 0 ? rounding : options.tolerance;
   distinct.precision = std::min(rounding, distinct.tolerance);
   takeOut(distinct, nearDuplicates(distinct.points, distinct.tolerance * distinct.frame.scale));
-  if (options.tolerance < 0)
+  if (options.tolerance < 0 && options.clusters)
   {
     takeOut(distinct, clusteredDuplicates(distinct.points));
   }

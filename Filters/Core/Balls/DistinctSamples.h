@@ -19,6 +19,8 @@ struct MergeOptions
   /// defaultTolerance, and clusters that are far smaller than their distance to all others.
   double tolerance = -1;
   double unit = 0; ///< to which the samples' coordinates were rounded; 0: not known
+  bool clusters =
+    true; ///< false: clusters stay, as of samples of a known surface, which may be those of a grain
 };
 
 /// The samples without repeats, in the frame that all stages compute in. They are in lexicographic

@@ -257,7 +257,7 @@ Tetrahedra powerCells(const std::vector<Ball>& balls, const Execution& execution
 
 PolarBalls ballsWithoutSides(const std::vector<Point>& samples, const Execution& execution)
 {
-  const DistinctSamples distinct = distinctSamples(samples);
+  const DistinctSamples distinct = distinctSamples(samples, { -1, 0, false });
   const DelaunaySpheres spheres =
     delaunaySpheres(distinct.points, distinct.precision * distinct.frame.scale, execution);
   const std::vector<Index> standing = polesAlone(poles(spheres)); // all samples decide which crowd
@@ -272,7 +272,8 @@ PolarBallsAndSamples polarBallsAndSamples(const std::vector<Point>& samples,
   const MergeOptions& options, const Execution& execution, const SurfaceTree* solid,
   const std::vector<Point>& normals)
 {
-  const DistinctSamples distinct = distinctSamples(samples, options);
+  const DistinctSamples distinct =
+    distinctSamples(samples, { options.tolerance, options.unit, options.clusters && !solid });
   requireVolume(samples, distinct);
   const DelaunaySpheres spheres = delaunaySpheres(
     distinct.points, distinct.precision * distinct.frame.scale, execution.between(0, 0.2));

@@ -44,14 +44,58 @@ Warning farFromSurface(const std::vector<FarFace>& faces)
     count(faces), farthest.place, false };
 }
 
-Warning notEnough(const Betti& made, const Betti& solid, const std::vector<Crossing>& places)
+Warning notEnough(const Betti& made, const Betti& solid, const std::vector<Crossing>& crossings,
+  const std::vector<Detail>& details)
 {
+  std::optional<Point> place;
+  std::string reason;
+  if (!details.empty())
+  {
+    place = details.front().place.position;
+    reason = text(" They miss details that are small for their spacing, on ", details.size(),
+      details.size() == 1 ? " triangle" : " triangles",
+      ": take a smaller spacing, or leave out grains and pores that don't matter.");
+  }
+  if (!crossings.empty())
+  {
+    place = crossings.front().place;
+    reason += text(" In ", crossings.size(), crossings.size() == 1 ? " place" : " places",
+      " they don't keep inside and outside apart: take a smaller spacing or fineness, or mend the "
+      "surface there; of an image, smooth it more.");
+  }
   return { "too_few_samples",
-    text("The samples give ", inWords(made), ", but the surface has ", inWords(solid), ", and in ",
-      places.size(), places.size() == 1 ? " place" : " places",
-      " they don't keep inside and outside apart. Take a smaller spacing or fineness, or mend the "
-      "surface there; of an image, smooth it more."),
-    count(places), places.empty() ? std::optional<Point>() : places.front().place, true };
+    text("The samples give ", inWords(made), ", but the surface has ", inWords(solid), ".", reason),
+    std::max<Index>(1, count(crossings) + count(details)), place, true };
+}
+
+Warning missedDetails(const std::vector<Detail>& details)
+{
+  return { "missed_details",
+    text("The samples miss spikes of the surface, ", details.size(),
+      details.size() == 1 ? " triangle" : " triangles",
+      " of it, farther than one and a half spacings from all samples. Take a smaller "
+      "spacing if they matter."),
+    count(details), details.front().place.position, false };
+}
+
+/// Samples, again and again where they miss spikes that can be followed.
+BoundarySamples samplesWithSpikes(
+  BoundarySampler& sampler, Warnings& warnings, const Execution& execution)
+{
+  constexpr int rounds = 3;
+  BoundarySamples result = sampler.samples(execution);
+  std::vector<Detail> missed = sampler.spikes(result, execution);
+  for (int round = 0; round < rounds && sampler.follow(missed, execution) > 0; ++round)
+  {
+    result = sampler.samples(execution);
+    missed = sampler.spikes(result, execution);
+  }
+  warnings = result.warnings;
+  if (!missed.empty())
+  {
+    warnings.push_back(missedDetails(missed));
+  }
+  return result;
 }
 
 bool isLimited(const BoundarySamples& samples)
@@ -66,8 +110,7 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
 {
   BoundarySampler sampler(surface, tree, options, execution.between(0, 0.3));
   ProvenSamples result;
-  result.samples = sampler.samples(execution.between(0.3, 0.4));
-  result.warnings = result.samples.warnings;
+  result.samples = samplesWithSpikes(sampler, result.warnings, execution.between(0.3, 0.4));
   double done = 0.4;
   while (true)
   {
@@ -91,18 +134,24 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
       break;
     }
     const std::vector<Crossing> places = crossings(result.balls.balls, tree);
+    const std::vector<Detail> details =
+      places.empty() ? sampler.hiddenDetails(result.samples) : std::vector<Detail>();
     // Where there is no room for more samples, those of the next round would hardly differ.
-    if (result.rounds == rounds || places.empty() || isLimited(result.samples))
+    if (result.rounds == rounds || (places.empty() && sampler.follow(details) == 0) ||
+      isLimited(result.samples))
     {
-      result.warnings.push_back(notEnough(result.balls.powerShape, surface.measures.betti, places));
+      result.warnings.push_back(
+        notEnough(result.balls.powerShape, surface.measures.betti, places, details));
       break;
     }
     ++result.rounds;
     done = half + (1 - half) / 4;
     const double between = (half + done) / 2;
-    sampler.refine(tooFarApart(places, result.balls.balls), execution.between(half, between));
-    result.samples = sampler.samples(execution.between(between, done));
-    result.warnings = result.samples.warnings;
+    if (!places.empty())
+    {
+      sampler.refine(tooFarApart(places, result.balls.balls), execution.between(half, between));
+    }
+    result.samples = samplesWithSpikes(sampler, result.warnings, execution.between(between, done));
   }
   result.balls.balls.normals = normals(result.samples.points);
   execution.report(1);

@@ -2,7 +2,6 @@
 #include "Samples/BoundarySamples.h"
 
 #include "Base/EdgeTree.h"
-#include "Base/Frame.h"
 #include "Base/Neighbors.h"
 #include "Samples/PairedWalls.h"
 #include "Samples/SharpEdges.h"
@@ -17,54 +16,6 @@ namespace medial
 {
 namespace
 {
-void check(const SamplingOptions& options)
-{
-  if (!(options.fineness > 0 && options.fineness <= 1))
-  {
-    throw InvalidInput("the fineness must be above 0 and at most 1, it is ", options.fineness);
-  }
-  if (!(options.spacing >= 0) || !std::isfinite(options.spacing))
-  {
-    throw InvalidInput("the spacing must be 0 or more, it is ", options.spacing);
-  }
-  if (options.maximumSamples < 4)
-  {
-    throw InvalidInput("there must be room for 4 samples, not ", options.maximumSamples);
-  }
-  if (!(options.sharpAngle > 0 && options.sharpAngle <= 180))
-  {
-    throw InvalidInput(
-      "the sharp angle must be above 0 and at most 180 degrees, it is ", options.sharpAngle);
-  }
-}
-
-/// The spacing of samples that show what the surface's points show, and enough of a surface with few.
-double usualSpacing(const ClosedSurface& surface)
-{
-  const double samples = std::clamp<double>(count(surface.points), 20000, 50000);
-  return std::sqrt(samplesPerSquare * surface.area / samples);
-}
-
-/// The spacing that makes as many samples as are allowed, if it is the same everywhere.
-double closest(const ClosedSurface& surface, const SamplingOptions& options)
-{
-  constexpr double rounding = 1 + 1e-9; // no more than these, however the areas of pieces add up
-  return rounding * std::sqrt(samplesPerSquare * surface.area / options.maximumSamples);
-}
-
-/// @throw InvalidInput  the surface is so narrow that only its length asks for more samples than anybody can
-///                      pay, as where a corner lies at a wrong place far away
-void checkLength(const ClosedSurface& surface)
-{
-  constexpr double longest = 2e4; // spacings: a square rod takes about a million samples then
-  const double diagonal = boundingBox(surface.points).diagonal().norm();
-  if (diagonal > longest * usualSpacing(surface))
-  {
-    throw InvalidInput("the surface is ", diagonal, " long, but has an area of only ", surface.area,
-      ": too narrow to be sampled; is a point at a wrong place far away?");
-  }
-}
-
 Warning thinWalls(const std::vector<Point>& places)
 {
   return { "paired_walls",
@@ -106,8 +57,9 @@ struct BoundarySampler::Implementation
     , options(theOptions)
     , lines(sharpLines(triangles, theOptions.sharpAngle))
     , sharpEdges(treeOf(triangles, lines))
-    , largest(theOptions.spacing > 0 ? std::max(theOptions.spacing, closest(surface, theOptions))
-                                     : usualSpacing(surface))
+    , largest(theOptions.spacing > 0
+          ? std::max(theOptions.spacing, closestSpacing(surface, theOptions))
+          : usualSpacing(surface))
     , edges(wedgeEdges(this->triangles, this->lines, this->largest))
     , field(this->largest)
   {
@@ -129,6 +81,8 @@ struct BoundarySampler::Implementation
     SpacingField before(coarse * this->largest);
     this->pieces = surfacePieces(this->triangles, before, execution.between(0, 0.05));
     std::vector<SurfacePoint> at;
+    this->measure(smallPieces(this->triangles, before.most()));
+    this->measure(this->details);
     for (int round = 0; round < rounds; ++round)
     {
       const Execution part =
@@ -138,9 +92,7 @@ struct BoundarySampler::Implementation
         blueNoise(this->triangles, this->pieces, {}, before, part.between(0, 0.5));
       at.insert(at.end(), more.begin(), more.end());
       const Index finer = this->measure(at, known, before, part.between(0.5, 1));
-      this->field =
-        SpacingField(this->largest, this->probes.places, this->probes.spacings, part.between(0, 0));
-      this->limit(part);
+      this->updateField(part);
       constexpr double few = 0.001; // of the samples: the next round would hardly differ
       if (round + 1 == rounds || (round > 0 && finer <= few * count(at)))
       {
@@ -191,6 +143,23 @@ struct BoundarySampler::Implementation
     return this->options.adaptive ? this->smallest() / this->options.fineness : 0;
   }
 
+  /// Adds what is measured straight across at details: flat triangles around a corner are no opposite walls of each
+  /// other. However thin they are, they are followed where that takes few samples.
+  void measure(const std::vector<Detail>& at)
+  {
+    for (const Detail& detail : at)
+    {
+      const double thickness = localThickness({ detail.place }, this->tree, this->triangles.normals,
+        this->largest / this->options.fineness, this->edges)[0];
+      constexpr double few = 1000; // samples of them all
+      const double asked = this->options.fineness * thickness;
+      const bool isCheap = samplesPerSquare * detail.area < few * asked * asked;
+      this->probes.places.push_back(detail.place.position);
+      this->probes.spacings.push_back(
+        isCheap ? std::min(asked, this->largest) : this->wanted(thickness));
+    }
+  }
+
   /// Adds what is measured at samples from the first on. @return  how many ask for much less than the spacing was
   Index measure(const std::vector<SurfacePoint>& at, Index first, const SpacingField& before,
     const Execution& execution)
@@ -223,6 +192,14 @@ struct BoundarySampler::Implementation
       result.push_back(pointAt(this->tree.nearest(opposite->point)));
     }
     return result;
+  }
+
+  /// The spacing that all probes ask for, as far as there is room.
+  void updateField(const Execution& execution)
+  {
+    this->field = SpacingField(
+      this->largest, this->probes.places, this->probes.spacings, execution.between(0, 0));
+    this->limit(execution);
   }
 
   /// Widens the smallest spacings until there is room for all samples.
@@ -260,6 +237,7 @@ struct BoundarySampler::Implementation
   double largest;
   std::vector<WedgeEdge> edges;
   Probes probes;
+  std::vector<Detail> details; ///< that were missed before
   SpacingField field;
   std::vector<SurfacePiece> pieces; ///< by the field
   bool isRefined = false;           ///< once at least
@@ -297,6 +275,43 @@ BoundarySamples BoundarySampler::samples(const Execution& execution) const
     result.warnings.push_back(thinWalls(paired.places));
   }
   return result;
+}
+
+std::vector<Detail> BoundarySampler::spikes(
+  const BoundarySamples& samples, const Execution& execution) const
+{
+  const Implementation& known = *this->implementation;
+  return medial::spikes(known.triangles, samples.points, known.field, execution);
+}
+
+std::vector<Detail> BoundarySampler::hiddenDetails(
+  const BoundarySamples& samples, const Execution& execution) const
+{
+  const Implementation& known = *this->implementation;
+  std::vector<Detail> result = barePieces(known.triangles, samples.points);
+  const std::vector<Detail> hidden = hiddenSides(known.triangles, samples.points, execution);
+  result.insert(result.end(), hidden.begin(), hidden.end());
+  return result;
+}
+
+Index BoundarySampler::follow(const std::vector<Detail>& details, const Execution& execution)
+{
+  Implementation& known = *this->implementation;
+  if (!known.options.adaptive || details.empty())
+  {
+    return 0;
+  }
+  const Index before = count(known.probes.places);
+  known.details.insert(known.details.end(), details.begin(), details.end());
+  known.measure(details);
+  Index closer = 0;
+  for (Index i = before; i < count(known.probes.places); ++i)
+  {
+    constexpr double much = 0.9;
+    closer += known.probes.spacings[i] < much * known.field.at(known.probes.places[i]);
+  }
+  known.updateField(execution);
+  return closer;
 }
 
 bool BoundarySampler::isAtSharpEdge(const Point& place, double distance) const
@@ -351,8 +366,6 @@ void BoundarySampler::refine(const std::vector<Point>& places, const Execution& 
     known.probes.places.push_back(place);
     known.probes.spacings.push_back(known.field.at(place) / 2);
   }
-  known.field = SpacingField(
-    known.largest, known.probes.places, known.probes.spacings, execution.between(0, 0));
-  known.limit(execution);
+  known.updateField(execution);
 }
 }

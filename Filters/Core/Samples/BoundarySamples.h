@@ -6,28 +6,14 @@
 #include "Base/MoreNeighbors.h"
 #include "Samples/ClosedSurface.h"
 #include "Samples/LocalThickness.h"
+#include "Samples/MissedDetails.h"
+#include "Samples/SamplingOptions.h"
 
 #include <memory>
 #include <vector>
 
 namespace medial
 {
-struct SamplingOptions
-{
-  /// How far samples are apart at most, as a fraction of the thickness of the solid and of the gaps there.
-  double fineness = 0.25;
-
-  /// Nowhere farther apart; 0: so that a surface without thin places gets as many samples as it has
-  /// points, but at least 20,000 and at most 50,000.
-  double spacing = 0;
-
-  bool adaptive = true; ///< false: the same spacing everywhere
-
-  Index maximumSamples = 1000000;
-
-  double sharpAngle = 30; ///< between the normals at an edge where samples come in pairs; degrees
-};
-
 /// Samples of a closed surface that suit its medial axis.
 struct BoundarySamples
 {
@@ -61,6 +47,20 @@ public:
   /// pairs were to do.
   /// @throw Aborted
   void refine(const std::vector<Point>& places, const Execution& execution = {});
+
+  /// What the samples that were made miss of the surface: spikes.
+  /// @throw Aborted
+  std::vector<Detail> spikes(const BoundarySamples& samples, const Execution& execution = {}) const;
+
+  /// What else they may miss, where their balls have another topology: grains, pores, small handles.
+  /// @throw Aborted
+  std::vector<Detail> hiddenDetails(
+    const BoundarySamples& samples, const Execution& execution = {}) const;
+
+  /// Measures the thickness at details, for the next samples.
+  /// @return  for how many these will be closer together; 0 for samples with the same spacing everywhere
+  /// @throw Aborted
+  Index follow(const std::vector<Detail>& details, const Execution& execution = {});
 
   /// Is a place nearer to a sharp edge than a distance?
   bool isAtSharpEdge(const Point& place, double distance) const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/ClosedSurface.h"
 
-#include "Base/DisjointSets.h"
 #include "Base/Frame.h"
+#include "Samples/MissedDetails.h"
 #include "Samples/PolygonSoup.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -166,23 +166,6 @@ bool isFlat(Mesh& mesh)
   return result;
 }
 
-/// The piece of the surface that each triangle belongs to.
-std::vector<Index> pieceOfTriangle(const ClosedSurface& surface)
-{
-  DisjointSets pieces(count(surface.points));
-  for (const Triangle& t : surface.triangles)
-  {
-    pieces.unite(t[0], t[1]);
-    pieces.unite(t[0], t[2]);
-  }
-  std::vector<Index> result;
-  for (const Triangle& t : surface.triangles)
-  {
-    result.push_back(pieces.find(t[0]));
-  }
-  return result;
-}
-
 /// Warns of triangles that intersect. @throw InvalidInput  if which points are inside is not clear
 void checkIntersections(const Mesh& mesh, ClosedSurface& result)
 {
@@ -192,7 +175,7 @@ void checkIntersections(const Mesh& mesh, ClosedSurface& result)
   {
     return;
   }
-  const std::vector<Index> piece = pieceOfTriangle(result);
+  const std::vector<Index> piece = pieceOfTriangle(result.triangles, count(result.points));
   Index between = 0;
   std::vector<Index> touched;
   for (const auto& [a, b] : found)

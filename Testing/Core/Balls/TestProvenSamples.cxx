@@ -134,6 +134,72 @@ TEST(ProvenSamples, DontFollowACrackThatTheyCantResolve)
   }
 }
 
+/// Samples that are spread by area alone would miss them, or come too few on them.
+TEST(ProvenSamples, ShowGrainsAndPoresHoweverSmall)
+{
+  for (const double radius : { 1e-2, 1e-3, 1e-4, 1e-5 })
+  {
+    SCOPED_TRACE(testing::Message() << "radius " << radius);
+    const Mesh grain = meshes::moved(meshes::sphere(radius, 8), Point(1.5, 0, 0));
+    const Mesh pore = meshes::moved(meshes::reversed(meshes::sphere(radius, 8)), Point(0.3, 0, 0));
+    const Solid solid(meshes::united(meshes::united(meshes::sphere(), grain), pore));
+    const ProvenSamples made = solid.samples(withSpacing(0.2), 0);
+    EXPECT_EQ(made.balls.powerShape, (Betti{ 2, 0, 1 }));
+    EXPECT_EQ(solid.balls(made).powerShape, (Betti{ 2, 0, 1 })); // as vtkPolarBalls makes them
+    EXPECT_LT(made.samples.points.size(), 700); // 0.7 for each square: 220 without the two
+  }
+}
+
+TEST(ProvenSamples, SayWhichPiecesHaveTooFew)
+{
+  const Point place(1.5, 0, 0);
+  const Mesh grain = meshes::moved(meshes::sphere(1e-3, 8), place);
+  const Solid solid(meshes::united(meshes::sphere(), grain));
+  const ProvenSamples made = solid.samples(withSpacing(0.2, false), 2);
+  ASSERT_EQ(made.warnings.size(), 2);
+  EXPECT_EQ(made.warnings[0].code, "missed_details");
+  EXPECT_FALSE(made.warnings[0].doubtsSolid);
+  EXPECT_EQ(made.warnings[1].code, "too_few_samples");
+  for (const medial::Warning& warning : made.warnings)
+  {
+    ASSERT_TRUE(warning.place);
+    EXPECT_LT((*warning.place - place).norm(), 2e-3) << warning.text;
+  }
+}
+
+/// A spike of 2, on a sphere of 1, with a hundredth of its area.
+TEST(ProvenSamples, ReachTheTipsOfSpikes)
+{
+  Mesh spiky = meshes::sphere(1, 200);
+  const auto pole = std::max_element(spiky.points.begin(), spiky.points.end(),
+    [](const Point& p, const Point& q) { return p.z() < q.z(); });
+  const Point tip(0, 0, 3);
+  *pole = tip;
+  const Solid solid(spiky);
+  const ProvenSamples made = solid.samples(withSpacing(0.4), 4);
+  EXPECT_EQ(made.balls.powerShape, (Betti{ 1, 0, 0 }));
+  double nearest = 3;
+  for (const medial::SurfacePoint& sample : made.samples.points)
+  {
+    nearest = std::min(nearest, (sample.position - tip).norm());
+  }
+  EXPECT_LT(nearest, 0.2);
+}
+
+/// The handle is much smaller than the spacing around it.
+TEST(ProvenSamples, GiveTheTopologyOfASmallHandle)
+{
+  const Solid handle(meshes::blocks({ 0, 0.5, 0.51, 0.52, 0.53, 1 }, { 0, 0.5, 0.51, 1 },
+    { 0, 1, 1.01, 1.02 }, [](int i, int j, int k) {
+      const bool isFoot = k == 1 && (i == 1 || i == 3);
+      const bool isArch = k == 2 && 1 <= i && i <= 3;
+      return k == 0 || (j == 1 && (isFoot || isArch));
+    }));
+  ASSERT_EQ(handle.surface.measures.betti, (Betti{ 1, 1, 0 }));
+  const ProvenSamples made = handle.samples(withSpacing(0.2), 4);
+  EXPECT_EQ(made.balls.powerShape, (Betti{ 1, 1, 0 }));
+}
+
 /// Sheet metal: a thousandth as thick as it is wide. In pairs across it few samples are enough, and the surface is exact.
 TEST(ProvenSamples, AreFewOnAWideThinPlate)
 {
