@@ -19,6 +19,7 @@ import unittest
 from check_cohort import Cohorts  # tables of many objects; run with the rest
 from check_dicom import Dicom  # the same of DICOM series; run with the rest
 from check_exports import Exports  # the files for other programs; run with the rest
+from check_first_results import FirstResults  # the README's first commands; run with the rest
 from check_images import Images  # the same of images; run with the rest
 from check_inputs import Inputs  # what the program reads and refuses; run with the rest
 from check_meshes import Meshes  # what it makes of polygons; run with the rest
@@ -28,7 +29,8 @@ from check_report import ReportPage  # the page for a browser; run with the rest
 from input_files import xml
 from program_test import PROGRAM, ProgramTest, ellipsoid, torus
 
-__all__ = ["Cohorts", "Exports", "Images", "Inputs", "Outputs", "Panels", "ReportPage", "SimplifyShape"]
+__all__ = ["Cohorts", "Exports", "FirstResults", "Images", "Inputs", "Outputs", "Panels", "ReportPage",
+           "SimplifyShape"]
 
 DATA = {"balls.vtu", "samples.vtp", "axis.vtp", "parts.vtp", "pruned.vtp", "surface.vtp", "surface.stl",
         "parts.csv", "history.csv", "report.json"}
