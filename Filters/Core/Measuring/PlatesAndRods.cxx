@@ -4,6 +4,7 @@
 #include "Axis/AxisEdges.h"
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
+#include "Measuring/BurnTimes.h"
 #include "Measuring/CoveringBalls.h"
 #include "Measuring/ElementLabels.h"
 #include "Measuring/PlatePieces.h"
@@ -24,14 +25,14 @@ class Assembly
 {
 public:
   Assembly(const MedialAxis& medialAxis, const AxisEdges& axisEdges, const PlatePieces& platePieces,
-    const std::vector<Index>& covering, const Execution& run)
+    const std::vector<double>& times, const std::vector<Index>& covering, const Execution& run)
     : axis(medialAxis)
     , edges(axisEdges)
     , plates(platePieces)
     , rods(rodCells(medialAxis, axisEdges, platePieces))
     , branches(rodBranches(medialAxis,
-        rodSkeleton(medialAxis, axisEdges, rods.triangles, rods.anchor, covering, run), rods.anchor,
-        covering))
+        rodSkeleton(medialAxis, axisEdges, times, rods.triangles, rods.anchor, covering, run),
+        rods.anchor, covering))
   {
     ElementLabels labels = elementLabels(axis, edges, plates, rods, branches, run);
     this->all.elementOfPoint = std::move(labels.ofPoint);
@@ -199,13 +200,14 @@ PlatesAndRods platesAndRods(
   check(options);
   const AxisEdges edges = axisEdges(axis.cells);
   execution.report(0.1);
-  SheetWidths widths = sheetWidths(axis, edges, execution);
+  const std::vector<double> times = burnTimes(axis);
+  SheetWidths widths = sheetWidths(axis, edges, times, execution);
   execution.report(0.2);
   const PlatePieces plates =
     platePieces(axis, edges, widths, options.plateRatio, options.neckRatio, execution);
   execution.report(0.5);
   const std::vector<Index> covering = coveringBalls(axis, edges, execution);
-  PlatesAndRods result = Assembly(axis, edges, plates, covering, execution).result();
+  PlatesAndRods result = Assembly(axis, edges, plates, times, covering, execution).result();
   result.widths = std::move(widths);
   execution.report(1);
   return result;

@@ -2,7 +2,6 @@
 #include "Measuring/RodSkeleton.h"
 
 #include "Base/Lists.h"
-#include "Measuring/BurnTimes.h"
 #include "Measuring/CurveSkeleton.h"
 
 #include <algorithm>
@@ -168,11 +167,10 @@ private:
 }
 
 RodSkeleton rodSkeleton(const MedialAxis& axis, const AxisEdges& edges,
-  const std::vector<char>& inRod, const std::vector<char>& anchor,
+  const std::vector<double>& times, const std::vector<char>& inRod, const std::vector<char>& anchor,
   const std::vector<Index>& covering, const Execution& execution)
 {
-  const std::vector<Edge> lines =
-    curveSkeleton(axis, edges, burnTimes(axis), inRod, execution).edges;
+  const std::vector<Edge> lines = curveSkeleton(axis, edges, times, inRod, execution).edges;
   return { Shortening(axis, lines, anchor, covering, execution).result() };
 }
 }

@@ -21,11 +21,12 @@ struct RodSkeleton
 /// The sheets collapse to a CurveSkeleton. Of the edges that are left, dead ends go, the shortest first, if the ball at the tip does not reach farther than
 /// three radii from where the end meets others: a rod sticks out of the ball there by its own thickness. Nor may it reach less far than a sample spacing.
 /// A piece that is only one line keeps it. Takes O(n log n) time.
-/// @param inRod   for each triangle: does it count? Lines all do.
-/// @param anchor     for each point: must it stay?
-/// @param covering   for each point, see CoveringBalls.h
+/// @param times     burnTimes() of the axis
+/// @param inRod     for each triangle: does it count? Lines all do.
+/// @param anchor    for each point: must it stay?
+/// @param covering  for each point, see CoveringBalls.h
 RodSkeleton rodSkeleton(const MedialAxis& axis, const AxisEdges& edges,
-  const std::vector<char>& inRod, const std::vector<char>& anchor,
+  const std::vector<double>& times, const std::vector<char>& inRod, const std::vector<char>& anchor,
   const std::vector<Index>& covering, const Execution& execution = {});
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Measuring/SheetWidths.h"
 
-#include "Measuring/BurnTimes.h"
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -91,15 +89,16 @@ double thicknessAt(double diameter, double width, double distance)
 }
 }
 
-SheetWidths sheetWidths(const MedialAxis& axis, const AxisEdges& edges, const Execution& execution)
+SheetWidths sheetWidths(const MedialAxis& axis, const AxisEdges& edges,
+  const std::vector<double>& times, const Execution& execution)
 {
-  const std::vector<double> time = burnTimes(axis), distance = sampleDistances(axis);
+  const std::vector<double> distance = sampleDistances(axis);
   SheetWidths result;
-  result.summit = steepest(axis, edges, time);
+  result.summit = steepest(axis, edges, times);
   climb(result.summit, execution);
   for (const Index top : result.summit)
   {
-    const double width = 2 * time[top];
+    const double width = 2 * times[top];
     const double thickness = thicknessAt(2 * axis.radii[top], width, distance[top]);
     result.width.push_back(width);
     result.thickness.push_back(thickness);

@@ -31,8 +31,9 @@ struct SheetWidths
 };
 
 /// Takes linear time. Of equally steep sides the one to the lower point is taken.
-SheetWidths sheetWidths(
-  const MedialAxis& axis, const AxisEdges& edges, const Execution& execution = {});
+/// @param times  burnTimes() of the axis
+SheetWidths sheetWidths(const MedialAxis& axis, const AxisEdges& edges,
+  const std::vector<double>& times, const Execution& execution = {});
 }
 
 #endif
