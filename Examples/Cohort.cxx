@@ -8,11 +8,13 @@
 #include "Ranks.h"
 #include "Tables.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <numeric>
 #include <system_error>
 #include <vector>
 
@@ -42,6 +44,52 @@ std::string sizeAndTime(const fs::path& file)
   const auto size = fs::file_size(file, missing);
   const auto time = fs::last_write_time(file, missing).time_since_epoch().count();
   return std::to_string(fs::is_regular_file(file, missing) ? size : 0) + ' ' + std::to_string(time);
+}
+
+/// In bytes; of a folder, such as a DICOM series, that of the files in it. 0 of what is not there.
+std::uintmax_t sizeOf(const fs::path& input)
+{
+  std::error_code missing;
+  std::uintmax_t result = 0;
+  if (fs::is_directory(input, missing))
+  {
+    for (const fs::directory_entry& entry : fs::directory_iterator(input, missing))
+    {
+      result += entry.is_regular_file(missing) ? sizeOf(entry.path()) : 0;
+    }
+    return result;
+  }
+  const auto size = fs::file_size(input, missing);
+  return missing ? 0 : size;
+}
+
+/// The objects of one of several processes, ascending. The largest are dealt out first, of equal ones the lower name,
+/// each to the process that has least. All processes find the same shares.
+std::vector<std::size_t> shareOf(const std::vector<std::string>& inputs, const Rank& rank)
+{
+  std::vector<std::uintmax_t> sizes;
+  for (const std::string& input : inputs)
+  {
+    sizes.push_back(sizeOf(input) + 1); // so that files that are not there are shared, too
+  }
+  std::vector<std::size_t> order(inputs.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return sizes[a] != sizes[b] ? sizes[a] > sizes[b] : inputs[a] < inputs[b];
+  });
+  std::vector<std::uintmax_t> loads(static_cast<std::size_t>(rank.count), 0);
+  std::vector<std::size_t> result;
+  for (const std::size_t object : order)
+  {
+    const auto least = std::min_element(loads.begin(), loads.end());
+    *least += sizes[object];
+    if (least - loads.begin() == rank.number)
+    {
+      result.push_back(object);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 /// `--cohort bones/*.stl` lacks the table; the first bone must not become it.
@@ -195,11 +243,12 @@ void measureMine(const Arguments& arguments, const Rank& rank, const Rows& rows,
   const std::function<std::string(const Arguments&)>& measure)
 {
   using Clock = std::chrono::steady_clock;
-  for (std::size_t object = rank.number; object < arguments.inputs.size(); object += rank.count)
+  const std::vector<std::size_t> mine = shareOf(arguments.inputs, rank);
+  for (const std::size_t object : mine)
   {
     rows.forgetFailure(object);
   }
-  for (std::size_t object = rank.number; object < arguments.inputs.size(); object += rank.count)
+  for (const std::size_t object : mine)
   {
     if (rows.isMeasured(object))
     {

@@ -12,8 +12,8 @@
 ///
 /// Each object is measured in a child process, so that memory holds one object at a time, and a crash ends
 /// that object alone. A finished row, or the reason why there is none, becomes a file in a folder beside the
-/// table. Processes of a launcher (see Ranks.h) take turns: object i is that of process i modulo their
-/// number. Who finds the files of all objects when its own are done writes the table, in the order of the
+/// table. Processes of a launcher (see Ranks.h) share the objects: the largest
+/// are dealt out first, each to who has least, so that all end at about the same time. Who finds the files of all objects when its own are done writes the table, in the order of the
 /// command line. So the table is the same for any number of processes, and a run that was stopped goes on
 /// where it was.
 ///

@@ -110,6 +110,26 @@ class Cohorts(ProgramTest):
         environment = self.environment(SLURM_PROCID=0, SLURM_NTASKS=3)
         self.assertEqual(self.cohort(self.files, table="b.csv", environment=environment), expected)
 
+    def test_ranks_have_equal_shares(self):
+        """By turns one of two ranks would have all large objects."""
+        files = [self.write_xyz(ellipsoid(1200 if i % 2 == 0 else 400), "%d.xyz" % i) for i in range(8)]
+        expected = self.cohort(files, table="one.csv")
+        shares = []
+        for rank in range(2):
+            environment = self.environment(OMPI_COMM_WORLD_RANK=rank, OMPI_COMM_WORLD_SIZE=2, PMIX_NAMESPACE="run")
+            table = self.cohort(files, environment=environment)
+            self.assertEqual(table, expected if rank == 1 else None)
+            measured = [line.split()[1].rstrip(":") for line in self.done.stdout.splitlines() if " s" in line[-2:]]
+            shares.append(measured)
+            self.assertEqual(sorted(os.path.getsize(file) for file in measured),
+                             sorted(os.path.getsize(file) for file in files[:4]))
+        self.assertEqual(sorted(shares[0] + shares[1]), files)
+        # The order of the command line changes nothing but the order of the rows.
+        environment = self.environment(OMPI_COMM_WORLD_RANK=0, OMPI_COMM_WORLD_SIZE=2, PMIX_NAMESPACE="turned")
+        self.cohort(files[::-1], table="turned.csv", environment=environment)
+        self.assertEqual([line.split()[1].rstrip(":") for line in self.done.stdout.splitlines()
+                          if " s" in line[-2:]], shares[0][::-1])
+
     def test_broken_objects_have_reasons(self):
         broken = [self.write(name, text) for name, (text, _) in BROKEN.items()]
         files = self.files[:2] + broken + self.files[2:] + [self.path("missing.xyz")]
