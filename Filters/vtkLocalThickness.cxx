@@ -73,7 +73,8 @@ int vtkLocalThickness::RequestData(
   vtkPolyData* axis = vtkPolyData::GetData(inputVector[2]);
   return medial::reportErrors(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
-      const medial::PolarBalls balls = medial::readPolarBalls(input);
+      const medial::PolarBalls balls =
+        medial::readPolarBalls(input, medial::CellNeighbors::LeftOut);
       std::optional<std::vector<medial::Point>> at;
       std::optional<medial::MedialAxis> medialAxis;
       if (places)

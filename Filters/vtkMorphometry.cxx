@@ -92,7 +92,8 @@ int vtkMorphometry::RequestData(
     this, request, inputVector, outputVector, [&](const medial::Execution& execution) {
       vtkPolyData* axisData = medial::axisOf(input, axes);
       vtkPolyData* surfaceData = medial::surfaceOf(input, surfaces);
-      const medial::PolarBalls balls = medial::readPolarBalls(input);
+      const medial::PolarBalls balls =
+        medial::readPolarBalls(input, medial::CellNeighbors::LeftOut);
       execution.poll();
       const medial::MedialAxis axis = medial::readMedialAxis(axisData);
       medial::checkSameBalls(axisData, input);

@@ -6,7 +6,6 @@
 #include "Base/Frame.h"
 #include "Conversion/ArrayNames.h"
 #include "Conversion/Remedies.h"
-#include "Conversion/TetrahedraChecks.h"
 
 #include <algorithm>
 #include <limits>
@@ -150,7 +149,7 @@ void checkBallsOfSamples(
 }
 }
 
-void checkBalls(PolarBalls& balls)
+void checkBalls(PolarBalls& balls, CellNeighbors neighbors)
 {
   const Frame frame = frameOf(balls.samples);
   const double size = boundingBox(balls.samples).diagonal().norm();
@@ -169,6 +168,6 @@ void checkBalls(PolarBalls& balls)
       "; only numbers from ", coincident / frame.scale, " to ", size,
       ", the diagonal of the samples' bounding box, can be there: ", TakePolarBalls);
   }
-  checkTetrahedra(balls, movedHere, moved);
+  checkTetrahedra(balls, movedHere, moved, neighbors);
 }
 }

@@ -257,7 +257,7 @@ void passInput(vtkDataObject* input, vtkFieldData* output)
   output->RemoveArray(names::VerdictReasons);
 }
 
-PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
+PolarBalls readPolarBalls(vtkUnstructuredGrid* input, CellNeighbors neighbors)
 {
   const Arrays points(input->GetPointData(), "point", TakePolarBalls);
   const Arrays field(input->GetFieldData(), "field", TakePolarBalls);
@@ -293,7 +293,7 @@ PolarBalls readPolarBalls(vtkUnstructuredGrid* input)
   result.triangulation.cells = readTetrahedra(input, ballCount);
   Arrays(input->GetCellData(), "cell", TakePolarBalls)
     .checkLengths(count(result.triangulation.cells));
-  checkBalls(result);
+  checkBalls(result, neighbors);
   return result;
 }
 

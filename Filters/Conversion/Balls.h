@@ -4,6 +4,7 @@
 
 #include "Balls/PolarBalls.h"
 #include "Base/Lists.h"
+#include "Conversion/TetrahedraChecks.h"
 
 #include <vector>
 
@@ -41,7 +42,8 @@ void write(const PolarBallsAndSamples& made, vtkPointSet* input, vtkUnstructured
 void passInput(vtkDataObject* input, vtkFieldData* output);
 
 /// @throw InvalidInput  an array is missing or does not fit
-PolarBalls readPolarBalls(vtkUnstructuredGrid* input);
+PolarBalls readPolarBalls(
+  vtkUnstructuredGrid* input, CellNeighbors neighbors = CellNeighbors::Found);
 
 /// Passes the field data of the balls on to an output made from them, but not the lists of samples and
 /// balls: they are long, and what reads them reads the balls too.

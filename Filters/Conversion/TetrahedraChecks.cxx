@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -97,11 +98,10 @@ void checkClosed(const std::vector<Triangle>& hull)
     throw InvalidInput("the tetrahedra of the balls have holes between them: ", TakePolarBalls);
   }
 }
-}
 
-void checkTetrahedra(PolarBalls& balls, double moved, double movedFar)
+/// Finds neighbours, and the hull from them.
+std::vector<Triangle> hullWithNeighbors(PolarBalls& balls)
 {
-  checkOrientation(balls, moved, movedFar);
   balls.triangulation = orientedWithNeighbors(std::move(balls.triangulation.cells));
   const Tetrahedra& mesh = balls.triangulation;
   std::vector<Triangle> hull;
@@ -124,6 +124,30 @@ void checkTetrahedra(PolarBalls& balls, double moved, double movedFar)
       }
     }
   }
-  checkClosed(hull);
+  return hull;
+}
+
+bool hasInnerBall(const std::vector<Triangle>& hull, const PolarBalls& balls)
+{
+  return std::any_of(hull.begin(), hull.end(), [&](const Triangle& triangle) {
+    return std::any_of(triangle.begin(), triangle.end(),
+      [&](Index ball) { return balls.sides[ball] == Side::Inner; });
+  });
+}
+}
+
+void checkTetrahedra(PolarBalls& balls, double moved, double movedFar, CellNeighbors neighbors)
+{
+  checkOrientation(balls, moved, movedFar);
+  std::optional<std::vector<Triangle>> hull;
+  if (neighbors == CellNeighbors::LeftOut)
+  {
+    hull = hullOf(balls.triangulation.cells);
+  }
+  if (!hull || hasInnerBall(*hull, balls)) // what is wrong is told by the neighbours
+  {
+    hull = hullWithNeighbors(balls);
+  }
+  checkClosed(*hull);
 }
 }

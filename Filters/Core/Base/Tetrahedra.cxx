@@ -93,6 +93,37 @@ Lists<TriangleOfCell> trianglesByLowest(const std::vector<Tetrahedron>& cells)
   });
 }
 
+/// A triangle without its lowest corner: the upper two, and whether it is turned. Turned and not, the same triangle
+/// comes twice in a row in a sorted list.
+std::uint64_t packed(const Corner& middle, const Corner& highest, bool isTurned)
+{
+  return static_cast<std::uint64_t>(middle.id()) << 32 |
+    static_cast<std::uint64_t>(highest.id()) << 1 | static_cast<std::uint64_t>(isTurned);
+}
+
+Triangle unpacked(Index lowest, std::uint64_t triangle)
+{
+  const Index middle = static_cast<Index>(triangle >> 32),
+              highest = static_cast<Index>((triangle & 0xffffffff) >> 1);
+  return (triangle & 1) ? Triangle{ lowest, highest, middle } : Triangle{ lowest, middle, highest };
+}
+
+/// The triangles of all cells, in lists by their lowest corner.
+Lists<std::uint64_t> packedByLowest(const std::vector<Tetrahedron>& cells)
+{
+  return listsByKey<std::uint64_t>(highestCorner(cells) + 1, [&cells](const auto& add) {
+    for (const Tetrahedron& cell : cells)
+    {
+      const auto [corners, isTurned] = ordered(cell);
+      const auto [a, b, d, e] = corners;
+      add(a.id(), packed(b, d, isTurned));
+      add(a.id(), packed(b, e, !isTurned));
+      add(a.id(), packed(d, e, isTurned));
+      add(b.id(), packed(d, e, !isTurned));
+    }
+  });
+}
+
 /// Finds equal triangles without sorting: those of one lowest corner become chains by their middle corner, and along a
 /// chain each leaves a mark at its highest corner, where an equal one finds it.
 class Matching
@@ -220,6 +251,34 @@ Tetrahedra orientedWithNeighbors(std::vector<Tetrahedron> cells)
 {
   std::vector<Tetrahedron> neighbors = Matching(cells, true).neighbors();
   return { std::move(cells), std::move(neighbors) };
+}
+
+std::optional<std::vector<Triangle>> hullOf(const std::vector<Tetrahedron>& cells)
+{
+  Lists<std::uint64_t> triangles = packedByLowest(cells);
+  triangles.sortEach();
+  std::vector<Triangle> result;
+  for (Index lowest = 0; lowest < triangles.size(); ++lowest)
+  {
+    const auto list = triangles[lowest];
+    for (Index i = 0; i < list.size(); ++i)
+    {
+      const auto isSame = [&](Index k) { return k < list.size() && list[i] >> 1 == list[k] >> 1; };
+      if (!isSame(i + 1))
+      {
+        result.push_back(unpacked(lowest, list[i]));
+      }
+      else if (list[i] == list[i + 1] || isSame(i + 2))
+      {
+        return std::nullopt;
+      }
+      else
+      {
+        ++i;
+      }
+    }
+  }
+  return result;
 }
 
 EdgeNumbers edgeNumbers(const std::vector<Tetrahedron>& cells, Index pointCount)

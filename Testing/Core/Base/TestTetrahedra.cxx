@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipelines.h"
 
+#include "Base/Errors.h"
 #include "Base/Tetrahedra.h"
 #include "Base/Triangulations.h"
 
@@ -12,6 +13,7 @@ using medial::Edge;
 using medial::Index;
 using medial::None;
 using medial::Tetrahedron;
+using medial::Triangle;
 
 namespace
 {
@@ -60,6 +62,18 @@ std::vector<Index> cellsAround(
     mesh, edge, start, leave, [&ring](Index cell, int) { ring.push_back(cell); });
   return isAround ? ring : std::vector<Index>();
 }
+
+/// Triangles with the lowest corner first, in order.
+std::vector<Triangle> inOrder(std::vector<Triangle> triangles)
+{
+  for (Triangle& triangle : triangles)
+  {
+    std::rotate(
+      triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
 }
 
 TEST(Tetrahedra, CellsAroundAnEdgeAreAllInOrder)
@@ -98,4 +112,48 @@ TEST(Tetrahedra, CellsAroundAnEdgeAreAllInOrder)
   }
   EXPECT_GT(inside, 100);
   EXPECT_GT(onHull, 20);
+}
+
+TEST(Tetrahedra, HullIsWhatHasNoNeighbor)
+{
+  medial::Tetrahedra mesh = medial::delaunay(shapes::cloud(60, 3));
+  mesh.cells.erase(mesh.cells.begin() + 5); // a cavity is hull, too
+  mesh = medial::orientedWithNeighbors(mesh.cells);
+  std::vector<Triangle> expected;
+  for (Index c = 0; c < medial::count(mesh.cells); ++c)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      if (mesh.neighbors[c][i] == None)
+      {
+        expected.push_back(medial::facet(mesh.cells[c], i));
+      }
+    }
+  }
+  const auto hull = medial::hullOf(mesh.cells);
+  ASSERT_TRUE(hull);
+  EXPECT_GT(expected.size(), 20u);
+  EXPECT_EQ(inOrder(*hull), inOrder(expected));
+  EXPECT_TRUE(medial::hullOf({})->empty());
+}
+
+TEST(Tetrahedra, WithoutNeighborsHaveNoHullEither)
+{
+  const std::vector<Tetrahedron> cells = medial::delaunay(shapes::cloud(60, 3)).cells;
+  for (const Tetrahedron& cell : cells)
+  {
+    std::vector<Tetrahedron> twice = cells;
+    twice.push_back(cell);
+    EXPECT_FALSE(medial::hullOf(twice));
+    EXPECT_THROW(medial::orientedWithNeighbors(twice), medial::InvalidInput);
+    // Two that are turned: each triangle is there as often on one side as on the other.
+    const Tetrahedron turned{ cell[1], cell[0], cell[2], cell[3] };
+    twice.push_back(turned);
+    twice.push_back(turned);
+    EXPECT_FALSE(medial::hullOf(twice));
+    std::vector<Tetrahedron> oneTurned = cells;
+    std::replace(oneTurned.begin(), oneTurned.end(), cell, turned);
+    EXPECT_FALSE(medial::hullOf(oneTurned));
+    EXPECT_THROW(medial::orientedWithNeighbors(oneTurned), medial::InvalidInput);
+  }
 }
