@@ -19,7 +19,7 @@
 
 #include <filesystem>
 
-vtkSmartPointer<vtkTable> morphometryOf(vtkSimplifyShape* simplify, const Arguments& arguments)
+MeasuredObject morphometryOf(vtkSimplifyShape* simplify, const Arguments& arguments)
 {
   vtkNew<vtkMorphometry> measure;
   measure->SetInputData(simplify->GetBalls());
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkTable> morphometryOf(vtkSimplifyShape* simplify, const Argume
     throw InputError(arguments.input + ": " + messages::error());
   }
   messages::clear();
-  return measure->GetOutput();
+  return { measure->GetOutput(), vtkTable::SafeDownCast(measure->GetOutputDataObject(1)) };
 }
 
 std::string morphometryJson(vtkTable* row)

@@ -11,9 +11,15 @@ struct Arguments;
 class vtkSimplifyShape;
 class vtkTable;
 
-/// The row of vtkMorphometry of what an updated filter has made: of the simplified solid.
+/// What vtkMorphometry makes: the row of an object, and what its thickness and separation are means of.
+struct MeasuredObject
+{
+  vtkSmartPointer<vtkTable> row, means;
+};
+
+/// Measures what an updated filter has made: the simplified solid.
 /// @throw InputError  it can't be measured
-vtkSmartPointer<vtkTable> morphometryOf(vtkSimplifyShape* simplify, const Arguments& arguments);
+MeasuredObject morphometryOf(vtkSimplifyShape* simplify, const Arguments& arguments);
 
 /// The same for report.json: values and units by the names of the quantities.
 /// @param row  null: was not asked for

@@ -53,10 +53,10 @@ PagePictures ReportPage::pictures(const ThicknessMap& map, OutputFolder& folder)
   return result;
 }
 
-void ReportPage::write(
-  vtkSimplifyShape* simplify, const PageHead& head, Progress& progress, OutputFolder& folder)
+void ReportPage::write(vtkSimplifyShape* simplify, const PageHead& head, vtkTable* means,
+  Progress& progress, OutputFolder& folder)
 {
-  const ThicknessMap map = thicknessMap(simplify, progress);
+  const ThicknessMap map = thicknessMap(simplify, means, progress);
   if (!head.unit.empty())
   {
     vtkNew<vtkStringArray> unit;

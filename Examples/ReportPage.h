@@ -10,6 +10,7 @@
 class OutputFolder;
 class Progress;
 class vtkSimplifyShape;
+class vtkTable;
 struct PageHead;
 struct PagePictures;
 struct ThicknessMap;
@@ -22,9 +23,10 @@ public:
   ReportPage();
 
   /// Measures the thickness and writes both files, when the other results are written.
+  /// @param means  over the volume, see thicknessMap()
   /// @throw InputError  the thickness can't be measured, or a file can't be written
-  void write(
-    vtkSimplifyShape* simplify, const PageHead& head, Progress& progress, OutputFolder& folder);
+  void write(vtkSimplifyShape* simplify, const PageHead& head, vtkTable* means, Progress& progress,
+    OutputFolder& folder);
 
 private:
   PagePictures pictures(const ThicknessMap& map, OutputFolder& folder);

@@ -235,17 +235,19 @@ ExitCode simplify(const Arguments& arguments)
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() -
     results.seconds();
   results.writeRest();
-  vtkSmartPointer<vtkTable> row;
+  MeasuredObject object;
   if (arguments.morphometry)
   {
-    row = morphometryOf(filter, arguments);
-    folder.writeText(csv(row), "morphometry.csv");
+    object = morphometryOf(filter, arguments);
+    folder.writeText(csv(object.row), "morphometry.csv");
   }
   if (page)
   {
-    page->write(filter, { nameOf(arguments.input), arguments.unit, row }, progress, folder);
+    const bool isWhole = !arguments.bounds && arguments.margin == 0; // as on the page
+    page->write(filter, { nameOf(arguments.input), arguments.unit, object.row },
+      isWhole ? object.means.Get() : nullptr, progress, folder);
   }
-  folder.writeText(report(filter, input, row, progress, total), "report.json");
+  folder.writeText(report(filter, input, object.row, progress, total), "report.json");
   folder.publish(OutputFolder::Replaced);
   if (!arguments.quiet)
   {
@@ -290,7 +292,7 @@ std::string measured(const Arguments& arguments)
   filter->Update();
   requireSuccess(filter, arguments);
   requireCertified(verdictOf(filter->GetOutput()).certified(), arguments);
-  return csv(morphometryOf(filter, arguments));
+  return csv(morphometryOf(filter, arguments).row);
 }
 
 int fail(const std::exception& error, ExitCode code)

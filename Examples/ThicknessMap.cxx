@@ -87,15 +87,19 @@ VolumeMean volumeMean(vtkTable* means, const char* quantity)
   throw InputError(std::string("the table of means has no ") + quantity);
 }
 
-ThicknessMap thicknessMap(vtkSimplifyShape* simplify, Progress& progress)
+ThicknessMap thicknessMap(vtkSimplifyShape* simplify, vtkTable* means, Progress& progress)
 {
   vtkPolyData* pruned = simplify->GetMedialPrune()->GetOutput();
   const auto atSurface = measuring(simplify->GetBalls(), simplify->GetOutput());
   atSurface->SetAxisData(pruned);
+  if (means)
+  {
+    atSurface->SetNumberOfPoints(0);
+  }
   progress.watch("thickness", atSurface);
   const auto atAxis = measuring(simplify->GetBalls(), pruned);
   atAxis->SetNumberOfPoints(0);
   progress.watch("thickness of axis", atAxis);
-  return { measured(atSurface), thicknessAlone(measured(atAxis)), table(atSurface, 1),
-    table(atSurface, 2) };
+  return { measured(atSurface), thicknessAlone(measured(atAxis)),
+    means ? means : table(atSurface, 1), table(atSurface, 2) };
 }

@@ -36,7 +36,8 @@ VolumeMean volumeMean(vtkTable* means, const char* quantity);
 
 /// Measures the solid of the samples at the simplified surface and the pruned axis.
 /// @param simplify  after an update
+/// @param means     over the volume of the solid, where they are known; null: they are measured
 /// @throw InputError  it can't be measured
-ThicknessMap thicknessMap(vtkSimplifyShape* simplify, Progress& progress);
+ThicknessMap thicknessMap(vtkSimplifyShape* simplify, vtkTable* means, Progress& progress);
 
 #endif

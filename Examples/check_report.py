@@ -139,6 +139,21 @@ class ReportPage(ProgramTest):
         for code in report["morphometry"]["warnings"]:
             self.assertIn(code, page.text)
 
+    def test_morphometry_and_page_have_the_same_means(self):
+        points = self.write_xyz(ellipsoid(800))
+        alone, _, _ = self.page(points, environment=self.blind())
+        page, report, _ = self.page(points, "--morphometry", environment=self.blind())
+        for name in "Thickness", "Separation":
+            self.assertEqual(page.row(name), alone.row(name))
+        self.assertEqual([svg["aria-label"] for svg in page.all("svg")],
+                         [svg["aria-label"] for svg in alone.all("svg")])
+        values = report["morphometry"]["values"]
+        self.assertAlmostEqual(page.row("Thickness")[0], values["Tb.Th"], delta=1e-3 * values["Tb.Th"])
+        # In a volume of interest the page is still that of the whole solid.
+        cut, report, _ = self.page(points, "--morphometry", "--bounds", "0,2,-2,2,-2,2", environment=self.blind())
+        self.assertEqual(cut.row("Thickness"), alone.row("Thickness"))
+        self.assertNotEqual(report["morphometry"]["values"]["Tb.Th"], values["Tb.Th"])
+
     def test_cohort_has_a_page_for_each(self):
         files = [self.write_xyz(ellipsoid(400), "a.xyz"), self.write_xyz(ellipsoid(500), "b.xyz")]
         self.assert_fails_plainly("--output", "--cohort", self.path("t.csv"), "--report", *files)

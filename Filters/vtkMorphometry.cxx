@@ -5,6 +5,7 @@
 #include "Conversion/Axis.h"
 #include "Conversion/Balls.h"
 #include "Conversion/Morphometry.h"
+#include "Conversion/Thickness.h"
 #include "Measuring/Ingredients.h"
 #include "Measuring/Morphometry.h"
 #include "Pipeline/Abort.h"
@@ -33,6 +34,7 @@ medialAbortMacro(vtkMorphometry);
 vtkMorphometry::vtkMorphometry()
 {
   this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(2);
 }
 
 const char* vtkMorphometry::GetQuantityName(int quantity)
@@ -110,6 +112,7 @@ int vtkMorphometry::RequestData(
         { balls, axis, surface.points, surface.triangles }, bounds, this->Margin, execution);
       medial::write(
         { this->Name, this->Unit, medial::morphometry(ingredients) }, input, surfaceData, output);
+      medial::writeMeans(ingredients.volume, vtkTable::GetData(outputVector, 1));
       medial::reportWarnings(this, medial::morphometryWarnings(ingredients), { output });
     });
 }

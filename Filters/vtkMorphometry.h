@@ -11,7 +11,7 @@
  * Input 2: vtkPolyData, the surface that vtkPowerCrust or vtkSimplifyShape made from these balls.
  * Inputs 1 and 2 may be collections, of which one block was made from them.
  *
- * Output: vtkTable with one row and the columns
+ * Output 0: vtkTable with one row and the columns
  *  - `Name`, `Unit` (string): the properties.
  *  - One (double) for each quantity, in the order of GetQuantityName(). What can't be known is not a number,
  *    never 0.
@@ -19,8 +19,11 @@
  *    solid, and of the solid that was sampled, where it is known.
  *  - `Verdict` (string): that of the surface.
  *
- * Field data: that of the balls and the surface, with its warnings and verdict, and
+ * Its field data: that of the balls and the surface, with its warnings and verdict, and
  *  - `ColumnUnits` (string, an entry for each column): the unit, such as mm^3; 1 for numbers, empty for texts.
+ *
+ * Output 1: vtkTable, what Tb.Th and Tb.Sp are means of, with histograms: the rows of output 1 of vtkLocalThickness whose
+ * `Weight` is `volume`.
  *
  * The volume of interest is the bounding box of the samples, or Bounds, less Margin on each side. The first
  * holds the solid by definition: nothing is cut off where its surface is outside by less than the samples'
@@ -38,7 +41,7 @@
  * A warning `coarse_for_thickness` tells where samples are more than 0.28 of the mean thickness apart.
  *
  * An error (an array that is missing or does not fit, axis or surface of other balls, a volume of interest of
- * which nothing is left) leaves the output empty and sets the error code. Under MPI the piece 0 holds everything.
+ * which nothing is left) leaves the outputs empty and sets the error code. Under MPI the piece 0 holds everything.
  *
  * Plates and rods are those of vtkPlatesAndRods with its default ratios. They count where their centroid is in the volume.
  *

@@ -40,15 +40,17 @@ void addPlaces(const ThicknessReport& report, vtkPointData* data)
   data->SetActiveScalars(names::Thickness);
 }
 
-/// A row for each quantity and each way to weigh.
-void addMeans(const ThicknessReport& report, vtkTable* table)
+/// A row for each quantity and each way to weigh: first over the volume, then others.
+void addMeans(
+  const VolumeThickness& volume, const std::vector<Distribution>& others, vtkTable* table)
 {
-  const std::vector<std::string> quantities{ names::Thickness, names::Separation, names::Thickness,
+  std::vector<std::string> quantities{ names::Thickness, names::Separation, names::Thickness,
     names::Separation, names::Thickness };
-  const std::vector<std::string> weights{ "volume", "volume", "places", "places", "balls" };
-  const std::vector<Distribution> rows{ report.volume.thickness, report.volume.separation,
-    distribution(known(report.inside.diameters)), distribution(known(report.outside.diameters)),
-    report.ofBalls };
+  std::vector<std::string> weights{ "volume", "volume", "places", "places", "balls" };
+  std::vector<Distribution> rows{ volume.thickness, volume.separation };
+  rows.insert(rows.end(), others.begin(), others.end());
+  quantities.resize(rows.size());
+  weights.resize(rows.size());
   vtkFieldData* data = table->GetRowData();
   addTexts(data, names::Quantity, quantities);
   addTexts(data, names::Weight, weights);
@@ -60,8 +62,8 @@ void addMeans(const ThicknessReport& report, vtkTable* table)
   data->AddArray(
     tuples<vtkIdTypeArray>(names::Histogram, static_cast<int>(Distribution().histogram.size()),
       rows, [](const Distribution& row) { return row.histogram; }));
-  addOne<vtkDoubleArray>(table->GetFieldData(), names::Margin, report.volume.margin);
-  addOne<vtkDoubleArray>(table->GetFieldData(), names::VolumeShare, report.volume.share);
+  addOne<vtkDoubleArray>(table->GetFieldData(), names::Margin, volume.margin);
+  addOne<vtkDoubleArray>(table->GetFieldData(), names::VolumeShare, volume.share);
 }
 
 /// The part of each point of an axis: the lowest of its cells; empty where there are no parts.
@@ -123,6 +125,11 @@ std::vector<Point> readPlaces(vtkDataSet* input)
   return result;
 }
 
+void writeMeans(const VolumeThickness& volume, vtkTable* means)
+{
+  addMeans(volume, {}, means);
+}
+
 void write(const ThicknessReport& report, const PolarBalls& made, vtkUnstructuredGrid* balls,
   vtkDataSet* places, vtkPolyData* axis, vtkDataSet* measured, vtkTable* means,
   vtkTable* thinPlaces)
@@ -147,7 +154,10 @@ void write(const ThicknessReport& report, const PolarBalls& made, vtkUnstructure
     passFieldData(balls, samples->GetFieldData());
   }
   addPlaces(report, measured->GetPointData());
-  addMeans(report, means);
+  addMeans(report.volume,
+    { distribution(known(report.inside.diameters)), distribution(known(report.outside.diameters)),
+      report.ofBalls },
+    means);
   if (axis)
   {
     addThinPlaces(report.thin, axis, thinPlaces);

@@ -17,6 +17,9 @@ namespace medial
 /// @throw InvalidInput  a coordinate is not finite
 std::vector<Point> readPlaces(vtkDataSet* input);
 
+/// Writes the rows of means over the volume, as vtkLocalThickness.h describes them.
+void writeMeans(const VolumeThickness& volume, vtkTable* means);
+
 /// Writes what vtkLocalThickness.h describes.
 /// @param places  where was measured; none: at the samples of the balls
 /// @param axis    with the thin places; none: there is none

@@ -3,6 +3,7 @@
 
 #include "FilterTest.h"
 #include "vtkCollectParts.h"
+#include "vtkLocalThickness.h"
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
@@ -46,6 +47,12 @@ vtkSmartPointer<vtkMorphometry> boxMorphometry()
 double value(vtkMorphometry* filter, const char* column)
 {
   return filter->GetOutput()->GetValueByName(0, column).ToDouble();
+}
+
+/// Not a number is as good as itself.
+bool isSame(double a, double b)
+{
+  return a == b || (std::isnan(a) && std::isnan(b));
 }
 
 /// The balls of another solid.
@@ -132,6 +139,43 @@ TEST(Morphometry, MeasuresWithinBounds)
   filter->SetMargin(1);
   EXPECT_NE(onlyError(filter).find("smaller margin"), std::string::npos);
   EXPECT_TRUE(failed(filter));
+}
+
+/// The means over the volume are those of vtkLocalThickness, to the last bit.
+TEST(Morphometry, HasTheMeansOfLocalThickness)
+{
+  const auto filter = boxMorphometry();
+  filter->Update();
+  auto* means = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+  vtkNew<vtkLocalThickness> thickness;
+  thickness->SetInputData(boxPipeline().balls->GetOutput());
+  thickness->Update();
+  auto* all = vtkTable::SafeDownCast(thickness->GetOutputDataObject(1));
+  ASSERT_EQ(means->GetNumberOfRows(), 2);
+  ASSERT_EQ(means->GetNumberOfColumns(), all->GetNumberOfColumns());
+  for (vtkIdType row = 0; row < 2; ++row)
+  {
+    for (const char* column : { "Quantity", "Weight" })
+    {
+      EXPECT_EQ(means->GetValueByName(row, column), all->GetValueByName(row, column)) << column;
+    }
+    for (const char* column : { "Mean", "Deviation", "Minimum", "Maximum", "Number" })
+    {
+      EXPECT_TRUE(isSame(
+        means->GetValueByName(row, column).ToDouble(), all->GetValueByName(row, column).ToDouble()))
+        << column;
+    }
+  }
+  auto* histogram = vtkDataArray::SafeDownCast(means->GetColumnByName("Histogram"));
+  auto* known = vtkDataArray::SafeDownCast(all->GetColumnByName("Histogram"));
+  for (int i = 0; i < 40; ++i)
+  {
+    EXPECT_EQ(histogram->GetComponent(0, i), known->GetComponent(0, i)) << i;
+  }
+  EXPECT_EQ(means->GetValueByName(0, "Mean").ToDouble(), value(filter, "Tb.Th"));
+  EXPECT_TRUE(isSame(means->GetValueByName(1, "Mean").ToDouble(), value(filter, "Tb.Sp")));
+  EXPECT_EQ(means->GetFieldData()->GetArray("VolumeShare")->GetComponent(0, 0),
+    all->GetFieldData()->GetArray("VolumeShare")->GetComponent(0, 0));
 }
 
 TEST(Morphometry, FindsTheBlocksOfItsBalls)

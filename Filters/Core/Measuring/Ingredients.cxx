@@ -6,7 +6,6 @@
 #include "Measuring/Anisotropy.h"
 #include "Measuring/PlateAndRodMeans.h"
 #include "Measuring/SampleWalls.h"
-#include "Measuring/VolumeThickness.h"
 
 #include <algorithm>
 
@@ -53,13 +52,7 @@ void measureThickness(const PolarBalls& balls, const std::vector<double>& distan
     volume.margin = margin > 0 ? margin : volume.margin;
   }
   constexpr Index points = 10000;
-  const VolumeThickness measured = volumeThickness(balls, distances, volume, points, execution);
-  result.thickness = measured.thickness.mean;
-  result.thicknessDeviation = measured.thickness.deviation;
-  result.thicknessLargest = measured.thickness.largest;
-  result.separation = measured.separation.mean;
-  result.separationDeviation = measured.separation.deviation;
-  result.separationLargest = measured.separation.largest;
+  result.volume = volumeThickness(balls, distances, volume, points, execution);
 }
 
 void measureElements(const MedialAxis& axis, const std::vector<double>& distances, const Box& box,

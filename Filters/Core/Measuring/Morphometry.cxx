@@ -36,15 +36,16 @@ constexpr Quantity Table[] = {
   { "BS", 2, "Bone surface: area of the solid's surface.", "", [](Of i) { return i.surfaceArea; } },
   { "BS/BV", -1, "Specific bone surface.", "BS / BV",
     [](Of i) { return ratio(i.surfaceArea, i.solidVolume); } },
-  { "Tb.Th", 1, "Mean thickness over the solid's volume.", "", [](Of i) { return i.thickness; } },
+  { "Tb.Th", 1, "Mean thickness over the solid's volume.", "",
+    [](Of i) { return i.volume.thickness.mean; } },
   { "Tb.Th.SD", 1, "Standard deviation of the thickness.", "",
-    [](Of i) { return i.thicknessDeviation; } },
-  { "Tb.Th.Max", 1, "Largest thickness.", "", [](Of i) { return i.thicknessLargest; } },
+    [](Of i) { return i.volume.thickness.deviation; } },
+  { "Tb.Th.Max", 1, "Largest thickness.", "", [](Of i) { return i.volume.thickness.largest; } },
   { "Tb.Sp", 1, "Mean separation over the volume between the solid's parts.", "",
-    [](Of i) { return i.separation; } },
+    [](Of i) { return i.volume.separation.mean; } },
   { "Tb.Sp.SD", 1, "Standard deviation of the separation.", "",
-    [](Of i) { return i.separationDeviation; } },
-  { "Tb.Sp.Max", 1, "Largest separation.", "", [](Of i) { return i.separationLargest; } },
+    [](Of i) { return i.volume.separation.deviation; } },
+  { "Tb.Sp.Max", 1, "Largest separation.", "", [](Of i) { return i.volume.separation.largest; } },
   { "Euler", 0, "Euler characteristic of the whole solid.", "pieces - tunnels + voids",
     [](Of i) { return i.euler; } },
   { "Euler.VOI", 0, "Share of the volume of interest in it, without edge effects.",
@@ -83,7 +84,7 @@ constexpr Quantity Table[] = {
     "area of the axis / TV", [](Of i) { return ratio(i.axisArea, i.totalVolume); } },
   { "Spacing/Tb.Th", 0, "How coarse the samples are for the thickness.",
     "mean distance of a sample to the nearest other one / Tb.Th",
-    [](Of i) { return ratio(i.spacing, i.thickness); } },
+    [](Of i) { return ratio(i.spacing, i.volume.thickness.mean); } },
 };
 }
 
@@ -119,7 +120,7 @@ std::vector<double> morphometry(const MorphometryIngredients& ingredients)
 
 Warnings morphometryWarnings(const MorphometryIngredients& ingredients)
 {
-  const double coarseness = ratio(ingredients.spacing, ingredients.thickness);
+  const double coarseness = ratio(ingredients.spacing, ingredients.volume.thickness.mean);
   if (!(coarseness > CoarseSpacing))
   {
     return {};

@@ -3,6 +3,7 @@
 #define medial_Morphometry_h
 
 #include "Base/Warnings.h"
+#include "Measuring/VolumeThickness.h"
 
 #include <limits>
 #include <string>
@@ -31,13 +32,8 @@ struct MorphometryIngredients
   double anisotropy = Unknown;  ///< see degreeOfAnisotropy()
   double spacing = Unknown;     ///< of the samples
 
-  // Over the volume of the solid, and over what is between its parts.
-  double thickness = Unknown;          ///< mean
-  double thicknessDeviation = Unknown; ///< standard deviation
-  double thicknessLargest = Unknown;
-  double separation = Unknown;
-  double separationDeviation = Unknown;
-  double separationLargest = Unknown;
+  /// Over the volume of the solid, and over what is between its parts.
+  VolumeThickness volume;
 
   double plateShare = Unknown; ///< of the solid's volume, 0 ... 1
   double rodShare = Unknown;

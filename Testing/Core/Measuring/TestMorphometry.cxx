@@ -60,10 +60,8 @@ struct Plate
 MorphometryIngredients complete()
 {
   MorphometryIngredients result = Plate().measured();
-  result.thickness = result.thicknessLargest = 0.5;
-  result.thicknessDeviation = 0.01;
-  result.separation = result.separationLargest = 1;
-  result.separationDeviation = 0.02;
+  result.volume.thickness = medial::distribution({ 0.4, 0.6 });
+  result.volume.separation = medial::distribution({ 0.9, 1.1 });
   result.plateShare = 0.75;
   result.rodShare = 0.25;
   result.plates = 8;
@@ -156,11 +154,10 @@ TEST(Morphometry, HasTheUnitsOfItsTable)
   large.axis.points = { Point(0, 0, 2.5), Point(40, 0, 2.5), Point(0, 40, 2.5) };
   MorphometryIngredients big = large.measured(), small = complete();
   big.spacing *= 10;
+  big.volume.thickness = medial::distribution({ 4, 6 });
+  big.volume.separation = medial::distribution({ 9, 11 });
   for (double MorphometryIngredients::*length :
-    { &MorphometryIngredients::thickness, &MorphometryIngredients::thicknessDeviation,
-      &MorphometryIngredients::thicknessLargest, &MorphometryIngredients::separation,
-      &MorphometryIngredients::separationDeviation, &MorphometryIngredients::separationLargest,
-      &MorphometryIngredients::plateThickness, &MorphometryIngredients::rodThickness,
+    { &MorphometryIngredients::plateThickness, &MorphometryIngredients::rodThickness,
       &MorphometryIngredients::plateWidth, &MorphometryIngredients::rodLength })
   {
     big.*length = 10 * small.*length;
@@ -195,11 +192,11 @@ TEST(Morphometry, SaysTheUnit)
 TEST(Morphometry, WarnsOfCoarseSamples)
 {
   MorphometryIngredients plate = complete();
-  plate.spacing = 0.3 * plate.thickness;
+  plate.spacing = 0.3 * plate.volume.thickness.mean;
   const medial::Warnings warnings = medial::morphometryWarnings(plate);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings.front().code, "coarse_for_thickness");
   EXPECT_FALSE(warnings.front().doubtsSolid);
-  plate.spacing = 0.25 * plate.thickness;
+  plate.spacing = 0.25 * plate.volume.thickness.mean;
   EXPECT_TRUE(medial::morphometryWarnings(plate).empty());
 }
