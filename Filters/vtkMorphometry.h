@@ -43,6 +43,10 @@
  * An error (an array that is missing or does not fit, axis or surface of other balls, a volume of interest of
  * which nothing is left) leaves the outputs empty and sets the error code. Under MPI the piece 0 holds everything.
  *
+ * Ct.Th is known where the solid is one shell: one piece around one void, without tunnels, as a bone whose cortex is closed and
+ * whose marrow is one cavity. It is Tb.Th then. A cortex with trabeculae inside, or cut open at its ends, can't be told from other
+ * solids with tunnels: there it is not a number. Where you know that a solid is a cortex alone, take Tb.Th.
+ *
  * Plates and rods are those of vtkPlatesAndRods with its default ratios. They count where their centroid is in the volume.
  *
  * @sa vtkLocalThickness vtkPowerCrust vtkMedialPrune vtkCollectParts

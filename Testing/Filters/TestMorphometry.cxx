@@ -2,6 +2,7 @@
 #include "vtkMorphometry.h"
 
 #include "FilterTest.h"
+#include "Rods.h"
 #include "vtkCollectParts.h"
 #include "vtkLocalThickness.h"
 
@@ -24,6 +25,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -139,6 +141,27 @@ TEST(Morphometry, MeasuresWithinBounds)
   filter->SetMargin(1);
   EXPECT_NE(onlyError(filter).find("smaller margin"), std::string::npos);
   EXPECT_TRUE(failed(filter));
+}
+
+TEST(Morphometry, MeasuresTheThicknessOfShells)
+{
+  std::vector<medial::Point> capsule = rods::ellipticRod(1, 1, 0.1, 1);
+  const std::vector<medial::Point> marrow = rods::ellipticRod(0.6, 0.6, 0.1, 2);
+  capsule.insert(capsule.end(), marrow.begin(), marrow.end());
+  for (const auto& [samples, known] :
+    { std::pair(capsule, 0.4), std::pair(shapes::hollowSphere().samples, 0.5) })
+  {
+    filterTest::Pipeline pipeline(filterTest::cloud(samples));
+    vtkNew<vtkMorphometry> filter;
+    filter->SetInputConnection(pipeline.balls->GetOutputPort());
+    filter->SetAxisConnection(pipeline.axis->GetOutputPort());
+    filter->SetSurfaceConnection(pipeline.crust->GetOutputPort());
+    filter->Update();
+    EXPECT_NEAR(value(filter, "Ct.Th"), known, 0.01 * known);
+  }
+  const auto box = boxMorphometry();
+  box->Update();
+  EXPECT_TRUE(std::isnan(value(box, "Ct.Th")));
 }
 
 /// The means over the volume are those of vtkLocalThickness, to the last bit.

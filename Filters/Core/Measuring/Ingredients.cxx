@@ -34,6 +34,7 @@ void measureSolid(const MeasuredSolid& solid, const Box& box, MorphometryIngredi
   }
   if (measures.manifold)
   {
+    result.isShell = measures.betti == Betti{ 1, 0, 1 };
     result.euler = measures.betti[0] - measures.betti[1] + measures.betti[2];
     result.eulerWithin = result.isWhole
       ? result.euler

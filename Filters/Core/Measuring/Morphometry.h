@@ -34,6 +34,7 @@ struct MorphometryIngredients
 
   /// Over the volume of the solid, and over what is between its parts.
   VolumeThickness volume;
+  bool isShell = false; ///< one piece around one void, without tunnels
 
   double plateShare = Unknown; ///< of the solid's volume, 0 ... 1
   double rodShare = Unknown;

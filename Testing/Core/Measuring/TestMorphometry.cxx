@@ -62,6 +62,7 @@ MorphometryIngredients complete()
   MorphometryIngredients result = Plate().measured();
   result.volume.thickness = medial::distribution({ 0.4, 0.6 });
   result.volume.separation = medial::distribution({ 0.9, 1.1 });
+  result.isShell = true;
   result.plateShare = 0.75;
   result.rodShare = 0.25;
   result.plates = 8;
@@ -133,6 +134,29 @@ TEST(Morphometry, OfAVolumeThatCutsHasNoUncorrectedConnectivity)
   EXPECT_NEAR(valueOf("Conn.D", Plate().measured(around)), 1 / around.volume(), 1e-9);
 }
 
+/// One piece around one void, and nothing else that has a void or a hole.
+TEST(Morphometry, KnowsShells)
+{
+  const auto isShell = [](const meshes::Mesh& mesh) {
+    Plate plate;
+    plate.mesh = meshes::triangulated(mesh);
+    plate.triangles = meshes::triangles(plate.mesh);
+    return plate.measured().isShell;
+  };
+  const meshes::Mesh hollow =
+    meshes::united(meshes::sphere(), meshes::reversed(meshes::sphere(0.5)));
+  const meshes::Mesh beside = meshes::moved(meshes::sphere(), Point(3, 0, 0));
+  EXPECT_TRUE(isShell(hollow));
+  EXPECT_FALSE(isShell(meshes::sphere()));
+  EXPECT_FALSE(isShell(meshes::torus()));
+  EXPECT_FALSE(isShell(meshes::united(hollow, beside)));
+  EXPECT_FALSE(isShell(meshes::united(meshes::torus(), meshes::reversed(meshes::torus(2, 0.3)))));
+  MorphometryIngredients solid = complete();
+  EXPECT_EQ(valueOf("Ct.Th", solid), valueOf("Tb.Th", solid));
+  solid.isShell = false;
+  EXPECT_TRUE(std::isnan(valueOf("Ct.Th", solid)));
+}
+
 TEST(Morphometry, OfAnOpenSurfaceHasNoVolume)
 {
   Plate plate;
@@ -156,6 +180,7 @@ TEST(Morphometry, HasTheUnitsOfItsTable)
   big.spacing *= 10;
   big.volume.thickness = medial::distribution({ 4, 6 });
   big.volume.separation = medial::distribution({ 9, 11 });
+  big.isShell = true;
   for (double MorphometryIngredients::*length :
     { &MorphometryIngredients::plateThickness, &MorphometryIngredients::rodThickness,
       &MorphometryIngredients::plateWidth, &MorphometryIngredients::rodLength })
