@@ -16,8 +16,10 @@ namespace medial
 /// the solid has come there. From each point one climbs along the sides of triangles, always the
 /// steepest one, to a summit of the burn time, the middle of the sheet. There the fire has come half
 /// the width of the sheet: W = 2 * burn time. T is the distance of the walls there, of the samples on both sides:
-/// balls bulge between the samples of a plate. A rod with an elliptic section has W / T = a / b but for what its axis
-/// lacks at the sharp ends, less than 3 % with samples a tenth of the thickness apart, up to 6 % with a fifth.
+/// balls bulge between the samples of a plate. A rod with an elliptic section has W / T = a / b but for
+/// errors of sampling: it is less by up to 3 % with samples a tenth of the thickness apart, by 3 to 6 % with a fifth, by
+/// 7 to 12 % with 0.28. About half of it is that the balls at the rim don't reach the sharp end. A third is that the fire
+/// comes first from where the rim happens to be nearest. The rest is in T: summits are where balls happen to be large.
 ///
 /// What no fire reaches (closed sheets, as of a hollow sphere) has the largest erosion thickness of
 /// all, at least the diagonal of the box around the balls. So its width is more than twice that
