@@ -12,7 +12,10 @@
  * Output 0: vtkPolyData, the input with more arrays.
  *
  * Cell data
- *  - `PartId` (vtkIdType, >= 0, active scalars): the cell's part.
+ *  - `PartId` (vtkIdType, >= 0): the cell's part.
+ *  - `PartRank` (vtkIdType, >= 0, active scalars): its part's rank, by which parts are coloured. The part
+ *    with the largest volume has rank 0, the next 1, and so on. Where the input has ranks, as that of
+ *    vtkMedialPrune, a part takes over the lowest of its cells': it keeps the rank that it had before pruning.
  *  - `PartLevel` (int): of its part. 1 at the border of the axis, one more for each step inwards; 0
  *    for closed sheets that no border reaches, and above MaximumLevel.
  *  - An array for each measure of its part (vtkIdType for counts, else double). Its name is
@@ -27,7 +30,7 @@
  * Output 1: vtkTable, one row for each part
  *  - A column for each measure by its name (vtkMedialPrune::GetMeasureName), with the same values as the
  *    cell arrays. The relative volumes sum to 1; to 0 where pruning has left no ball.
- *  - `PartId`, `Contacts` (number of contact curves), `Neighbors` (number of parts that it shares a
+ *  - `PartId`, `PartRank`, `Contacts` (number of contact curves), `Neighbors` (number of parts that it shares a
  *    contact with) (vtkIdType).
  *  - `Dimension` (2 triangles, 1 lines, 0 a vertex), `Level` (int).
  *  - `Volume` (double, cube of the samples' unit): of the Delaunay cells that count for its balls.
@@ -91,8 +94,8 @@ public:
     vtkInformationVector* outputVector) override;
 
   /**
-   * The colour in which pictures show a part, always the same for the same `PartId`: red, green and
-   * blue, 0 ... 1. Neighbouring numbers get very different colours. Light grey for numbers below 0,
+   * The colour in which pictures show a part, always the same for the same number (`PartRank` in ParaView,
+   * `PartId` in the program's pictures): red, green and blue, 0 ... 1. Neighbouring numbers get very different colours. Light grey for numbers below 0,
    * which stand for no part. In Python: rgb = [0, 0, 0]; GetPartColor(part, rgb).
    */
   static void GetPartColor(vtkIdType part, double rgb[3]);

@@ -6,6 +6,7 @@
 #include "Conversion/Parts.h"
 #include "Conversion/Pruned.h"
 #include "Conversion/SelectedCells.h"
+#include "Parts/PartRanks.h"
 #include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 #include "Pruning/RemovalByHand.h"
@@ -50,6 +51,7 @@ struct vtkMedialPrune::vtkAxis
   vtkWeakPointer<vtkPolyData> Input;
   vtkMTimeType Time = 0;
   std::unique_ptr<medial::PrunableAxis> Prepared;
+  std::vector<medial::Index> Ranks; ///< of the cells
 
   medial::PrunableAxis& Of(vtkPolyData* input)
   {
@@ -58,6 +60,11 @@ struct vtkMedialPrune::vtkAxis
       this->Input = nullptr;
       this->Prepared.reset();
       this->Prepared = std::make_unique<medial::PrunableAxis>(medial::readMedialAxis(input));
+      this->Ranks = medial::readRanks(input);
+      if (this->Ranks.empty())
+      {
+        this->Ranks = medial::ranksOfCells(this->Prepared->living, this->Prepared->measures);
+      }
       this->Input = input;
       this->Time = input->GetMTime();
     }
@@ -339,7 +346,7 @@ int vtkMedialPrune::RequestData(
       options.cellsToProtect =
         medial::readCells(axis, lists.PartsToProtect, lists.CellsToProtect, "protected");
       const medial::Pruned pruned = medial::prune(this->Axis->Of(axis), options, execution);
-      medial::write(pruned, options.topology, axis, output, history, removed);
+      medial::write(pruned, options.topology, this->Axis->Ranks, axis, output, history, removed);
       const std::string refusals =
         medial::refusals(pruned.fates, options.cellsToRemove, medial::readParts(axis));
       if (!refusals.empty())

@@ -22,8 +22,8 @@
  * 0, as everywhere. In a collection, what was selected in one block is removed there only.
  *
  * Output 0: vtkPolyData, the living cells on all points of the input: ids of points stay. Arrays of
- * the input are passed on; the cell data of vtkMedialPartDecomposition, `PartId`, `PartLevel` and all
- * measures, and the field data `NumberOfParts`, `SuggestedThreshold`, `BettiAxis`, `Certificate` are
+ * the input are passed on; the cell data of vtkMedialPartDecomposition, `PartId`, `PartRank`, `PartLevel`
+ * and all measures, and the field data `NumberOfParts`, `SuggestedThreshold`, `BettiAxis`, `Certificate` are
  * those of the living cells, see there and vtkMedialAxis. `TopologyKept` is 0 unless Topology is COLLAPSE
  * here and was in all prunings before. New cell data
  *  - `KeepReason` (unsigned char): why the cell's part is still there. 0 its significance is above
@@ -45,6 +45,7 @@
  * Output 2: vtkPolyData, the removed cells on the same points, with their arrays from the input and
  *  - `Iteration` (vtkIdType): the row of the history.
  *  - `PartId` (vtkIdType): their part in that iteration.
+ *  - `PartRank` (vtkIdType): the rank that their part had before pruning.
  *  - `InputCell` (vtkIdType): the cell of the input.
  *
  * One warning lists the parts that were to be removed by hand and were not, with the reason: needed

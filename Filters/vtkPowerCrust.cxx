@@ -11,6 +11,7 @@
 #include "Conversion/Warnings.h"
 #include "Crust/Verdict.h"
 #include "Parts/BallShares.h"
+#include "Parts/PartRanks.h"
 #include "Pipeline/Abort.h"
 #include "Pipeline/ReportErrors.h"
 #include "Pipeline/ReportWarnings.h"
@@ -36,6 +37,7 @@ struct KeptBalls
 {
   std::vector<char> Flags;
   std::vector<medial::Index> Parts;
+  std::vector<medial::Index> Ranks; ///< of the parts
   std::optional<medial::Betti> Topology;
 
   KeptBalls(vtkPolyData* axisData, vtkUnstructuredGrid* balls)
@@ -52,6 +54,7 @@ struct KeptBalls
     if (!parts.empty())
     {
       this->Parts = medial::partOfBall(axis, parts);
+      this->Ranks = medial::lowestRanks(parts, axis.cells.size(), medial::readRanks(axisData));
     }
   }
 };
@@ -114,7 +117,7 @@ int vtkPowerCrust::RequestData(
       const medial::CrustOptions options{ static_cast<medial::CrustRule>(this->Rule),
         this->Clearance, this->MaximumRounds, kept.Topology };
       const medial::Crust crust = medial::powerCrust(*balls, kept.Flags, options, execution);
-      medial::write(crust, kept.Parts, input, output);
+      medial::write(crust, kept.Parts, kept.Ranks, input, output);
       medial::addWarnings(output->GetFieldData(), findings.warnings); // the axis has more
       medial::reportWarnings(this, crust.warnings, { output });
       findings.warnings = medial::readWarnings(output->GetFieldData());

@@ -22,6 +22,7 @@
  *  - `OuterBall` (vtkIdType): the ball in front of it; -1 for a ball that the rule has added.
  *  - `PartId` (vtkIdType): the part of the axis that the inner ball counts for; -1 for a ball that was
  *    put back, without input 1 or where that has no array `PartId`.
+ *  - `PartRank` (vtkIdType): the rank of that part, see vtkMedialPartDecomposition; -1 where there is none.
  *
  * Field data, single values
  *  - `BettiCrust` (vtkIdType, 3 components): pieces, tunnels and voids of the enclosed solid.

@@ -113,7 +113,8 @@ constexpr const char* SampleDiagonal = "SampleDiagonal";
 constexpr const char* NumberOfOffAxisBalls = "NumberOfOffAxisBalls";
 
 // vtkMedialPartDecomposition: cells
-constexpr const char* PartId = "PartId"; // and column of the table
+constexpr const char* PartId = "PartId";     // and column of the table
+constexpr const char* PartRank = "PartRank"; // and column of the table
 constexpr const char* PartLevel = "PartLevel";
 // ... and an array for each measure, see MeasureTraits::cellArray in Core/Parts/Measures.h
 // ... field data, single values
@@ -175,7 +176,7 @@ constexpr const char* OpenedVoids = "OpenedVoids";
 
 // vtkPowerCrust: points
 constexpr const char* SampleId = "SampleId";
-// ... cells; PartId too
+// ... cells; PartId, PartRank too
 constexpr const char* InnerBall = "InnerBall";
 constexpr const char* OuterBall = "OuterBall";
 // ... field data, single values; Volume too

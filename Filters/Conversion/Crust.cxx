@@ -17,17 +17,24 @@
 
 namespace medial
 {
-void write(const Crust& crust, const std::vector<Index>& partOfBall, vtkUnstructuredGrid* balls,
-  vtkPolyData* output)
+void write(const Crust& crust, const std::vector<Index>& partOfBall,
+  const std::vector<Index>& ranks, vtkUnstructuredGrid* balls, vtkPolyData* output)
 {
+  const auto part = [&](Index ball) { return partOfBall.empty() ? None : partOfBall[ball]; };
+
   output->SetPoints(points(crust.points));
   output->SetPolys(cellArray(crust.triangles));
   add<vtkIdTypeArray>(output->GetPointData(), names::SampleId, crust.sampleOfPoint);
   vtkCellData* cells = output->GetCellData();
   add<vtkIdTypeArray>(cells, names::InnerBall, crust.innerBall);
   add<vtkIdTypeArray>(cells, names::OuterBall, crust.outerBall);
-  add<vtkIdTypeArray>(cells, names::PartId, crust.innerBall,
-    [&](Index ball) { return partOfBall.empty() ? None : partOfBall[ball]; });
+  add<vtkIdTypeArray>(cells, names::PartId, crust.innerBall, part);
+  add<vtkIdTypeArray>(cells, names::PartRank, crust.innerBall,
+    [&](Index ball) { return part(ball) == None ? None : ranks[part(ball)]; });
+  if (!partOfBall.empty())
+  {
+    cells->SetActiveScalars(names::PartRank);
+  }
   vtkFieldData* field = output->GetFieldData();
   passFieldData(balls, field);
   addBetti(field, names::BettiCrust, crust.betti);

@@ -12,9 +12,10 @@ class vtkUnstructuredGrid;
 namespace medial
 {
 /// @param partOfBall  empty: no ball has a part
+/// @param ranks       of the parts
 /// @param balls       what the crust is made from; see passFieldData
-void write(const Crust& crust, const std::vector<Index>& partOfBall, vtkUnstructuredGrid* balls,
-  vtkPolyData* output);
+void write(const Crust& crust, const std::vector<Index>& partOfBall,
+  const std::vector<Index>& ranks, vtkUnstructuredGrid* balls, vtkPolyData* output);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include "Conversion/Arrays.h"
 #include "Conversion/Cells.h"
 #include "Conversion/Remedies.h"
+#include "Parts/PartRanks.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -42,12 +43,14 @@ void addMeasure(vtkFieldData* data, const char* name, const MeasureTraits& trait
   }
 }
 
-void addPartTable(vtkFieldData* rows, const MedialParts& medialParts)
+void addPartTable(
+  vtkFieldData* rows, const MedialParts& medialParts, const std::vector<Index>& ranks)
 {
   const std::vector<MedialPart>& parts = medialParts.parts;
   std::vector<Index> numbers(parts.size());
   std::iota(numbers.begin(), numbers.end(), 0);
   add<vtkIdTypeArray>(rows, names::PartId, numbers);
+  add<vtkIdTypeArray>(rows, names::PartRank, ranks);
   add<vtkIntArray>(rows, names::Dimension, parts, &MedialPart::dimension);
   add<vtkIntArray>(rows, names::Level, parts, &MedialPart::level);
   for (const MeasureTraits& traits : allMeasures())
@@ -94,11 +97,13 @@ void addContacts(const std::vector<ContactCurve>& contacts, vtkPolyData* output)
 }
 }
 
-void addParts(vtkCellData* cells, vtkFieldData* field, const MedialParts& parts)
+void addParts(vtkCellData* cells, vtkFieldData* field, const MedialParts& parts,
+  const std::vector<Index>& ranks)
 {
   const std::vector<Index>& partOfCell = parts.partOfCell;
   add<vtkIdTypeArray>(cells, names::PartId, partOfCell);
-  cells->SetActiveScalars(names::PartId);
+  add<vtkIdTypeArray>(cells, names::PartRank, partOfCell, [&](Index part) { return ranks[part]; });
+  cells->SetActiveScalars(names::PartRank);
   add<vtkIntArray>(
     cells, names::PartLevel, partOfCell, [&](Index part) { return parts.parts[part].level; });
   const auto suggested = tuples<vtkDoubleArray>(names::SuggestedThreshold,
@@ -115,9 +120,10 @@ void addParts(vtkCellData* cells, vtkFieldData* field, const MedialParts& parts)
 void write(const MedialParts& parts, vtkPolyData* axis, vtkPolyData* output, vtkTable* table,
   vtkPolyData* contacts)
 {
+  const std::vector<Index> ranks = partRanks(parts, readRanks(axis));
   output->ShallowCopy(axis);
-  addParts(output->GetCellData(), output->GetFieldData(), parts);
-  addPartTable(table->GetRowData(), parts);
+  addParts(output->GetCellData(), output->GetFieldData(), parts, ranks);
+  addPartTable(table->GetRowData(), parts, ranks);
   contacts->SetPoints(axis->GetPoints());
   contacts->GetPointData()->PassData(axis->GetPointData());
   addContacts(parts.contacts, contacts);
@@ -175,6 +181,14 @@ std::vector<Index> readParts(vtkPolyData* axis)
   const Arrays field(axis->GetFieldData(), "field", TakeParts);
   const Index end = field.indices(names::NumberOfParts, 1, 0, cellCount + 1).front();
   return cells.indices(names::PartId, cellCount, 0, end);
+}
+
+std::vector<Index> readRanks(vtkPolyData* axis)
+{
+  const Arrays cells(axis->GetCellData(), "cell", TakeParts);
+  return cells.has(names::PartRank)
+    ? cells.indices(names::PartRank, axis->GetNumberOfCells(), 0, Largest)
+    : std::vector<Index>{};
 }
 
 std::vector<Index> readCells(vtkPolyData* axis, const std::vector<vtkIdType>& parts,

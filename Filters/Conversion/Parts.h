@@ -16,7 +16,8 @@ class vtkTable;
 
 namespace medial
 {
-/// The axis with its parts, the table of parts, and the contact curves.
+/// The axis with its parts, the table of parts, and the contact curves. Parts take over the ranks that the
+/// axis has, see Parts/PartRanks.h.
 void write(const MedialParts& parts, vtkPolyData* axis, vtkPolyData* output, vtkTable* table,
   vtkPolyData* contacts);
 
@@ -24,10 +25,15 @@ void write(const MedialParts& parts, vtkPolyData* axis, vtkPolyData* output, vtk
 void write(const TopologyGraph& graph, const MedialParts& parts, vtkPolyData* output);
 
 /// Adds what each cell tells of its part, and the field data about all parts.
-void addParts(vtkCellData* cells, vtkFieldData* field, const MedialParts& parts);
+/// @param ranks  of the parts
+void addParts(vtkCellData* cells, vtkFieldData* field, const MedialParts& parts,
+  const std::vector<Index>& ranks);
 
 /// The part of each cell of an axis; no entries where it has no array of parts.
 std::vector<Index> readParts(vtkPolyData* axis);
+
+/// The rank of each cell of an axis; no entries where it has no array of ranks.
+std::vector<Index> readRanks(vtkPolyData* axis);
 
 /// The cells of an axis in one of `parts`, and `cells`, checked.
 /// @param done  what is to be done with them, for messages: "removed", "protected"

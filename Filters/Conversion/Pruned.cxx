@@ -7,6 +7,7 @@
 #include "Conversion/Cells.h"
 #include "Conversion/Parts.h"
 #include "Conversion/Remedies.h"
+#include "Parts/PartRanks.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -106,8 +107,8 @@ void addHistory(vtkFieldData* rows, const std::vector<PruneRow>& history)
 }
 }
 
-void write(const Pruned& pruned, Topology topology, vtkPolyData* axis, vtkPolyData* output,
-  vtkTable* history, vtkPolyData* removed)
+void write(const Pruned& pruned, Topology topology, const std::vector<Index>& cellRanks,
+  vtkPolyData* axis, vtkPolyData* output, vtkTable* history, vtkPolyData* removed)
 {
   output->GetFieldData()->PassData(axis->GetFieldData());
   const bool keptBefore =
@@ -115,7 +116,12 @@ void write(const Pruned& pruned, Topology topology, vtkPolyData* axis, vtkPolyDa
   addOne<vtkUnsignedCharArray>(
     output->GetFieldData(), names::TopologyKept, keptBefore && topology == Topology::Collapse);
   vtkNew<vtkCellData> own;
-  addParts(own, output->GetFieldData(), pruned.parts);
+  std::vector<Index> livingRanks;
+  for (const Index cell : pruned.inputCell)
+  {
+    livingRanks.push_back(cellRanks[cell]);
+  }
+  addParts(own, output->GetFieldData(), pruned.parts, partRanks(pruned.parts, livingRanks));
   addTopology(output->GetFieldData(), pruned.axis);
   add<vtkUnsignedCharArray>(own, names::KeepReason, pruned.parts.partOfCell,
     [&](Index part) { return pruned.keepReason[part]; });
@@ -136,8 +142,9 @@ void write(const Pruned& pruned, Topology topology, vtkPolyData* axis, vtkPolyDa
     when, names::Iteration, cells, [&](Index cell) { return pruned.removedInIteration[cell]; });
   add<vtkIdTypeArray>(
     when, names::PartId, cells, [&](Index cell) { return pruned.removedPart[cell]; });
+  add<vtkIdTypeArray>(when, names::PartRank, cells, [&](Index cell) { return cellRanks[cell]; });
   add<vtkIdTypeArray>(when, names::InputCell, cells);
-  when->SetActiveScalars(names::PartId);
+  when->SetActiveScalars(names::PartRank);
   copyCells(axis, cells, when, removed);
 }
 }

@@ -12,9 +12,10 @@ class vtkTable;
 namespace medial
 {
 /// The living cells, the history, and the removed cells.
-/// @param topology  what the pruning was allowed to remove
-void write(const Pruned& pruned, Topology topology, vtkPolyData* axis, vtkPolyData* output,
-  vtkTable* history, vtkPolyData* removed);
+/// @param topology   what the pruning was allowed to remove
+/// @param cellRanks  of the cells of `axis`, see Parts/PartRanks.h
+void write(const Pruned& pruned, Topology topology, const std::vector<Index>& cellRanks,
+  vtkPolyData* axis, vtkPolyData* output, vtkTable* history, vtkPolyData* removed);
 }
 
 #endif

@@ -12,8 +12,8 @@
 
 namespace
 {
-/// How many parts have a color of their own; those beyond are gray.
-constexpr int NumberOfColors = 256;
+/// How many parts have a color of their own; those beyond, very small ones, are gray.
+constexpr int NumberOfColors = 4096;
 
 /// One entry, number and color, for each part.
 std::vector<double> colorsOfParts()
@@ -36,7 +36,8 @@ void vtkSMMedialPartColors::PostInitializeProxy(
   vtkSMProxy* proxy, vtkPVXMLElement* vtkNotUsed(xml), vtkMTimeType vtkNotUsed(time))
 {
   vtkNew<vtkSMTransferFunctionManager> manager;
-  vtkSMProxy* colors = manager->GetColorTransferFunction("PartId", proxy->GetSessionProxyManager());
+  vtkSMProxy* colors =
+    manager->GetColorTransferFunction("PartRank", proxy->GetSessionProxyManager());
   if (!colors || vtkSMPropertyHelper(colors, "ScalarRangeInitialized").GetAsInt() != 0)
   {
     return;

@@ -4,7 +4,7 @@
  * @brief   a colour of its own for each of the first parts
  *
  * An initialization helper: the description of a filter names it, and ParaView calls it for each new
- * filter. The first time it sets the colors of the array `PartId` to those of
+ * filter. The first time it sets the colors of the array `PartRank` to those of
  * vtkMedialPartDecomposition::GetPartColor(). It does not change colors that the user has chosen.
  */
 

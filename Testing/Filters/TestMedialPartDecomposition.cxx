@@ -41,7 +41,7 @@ TEST(MedialPartDecomposition, AddsTheArraysOfItsHeader)
   EXPECT_EQ(arrays(parts->GetPointData()), arrays(axis->GetPointData()));
   const std::vector<std::string> names = filterTest::measureArrays();
   std::vector<std::string> expected = arrays(axis->GetCellData());
-  expected.insert(expected.end(), { "PartId idtype 1", "PartLevel int 1" });
+  expected.insert(expected.end(), { "PartId idtype 1", "PartLevel int 1", "PartRank idtype 1" });
   expected.insert(expected.end(), names.begin(), names.end());
   std::sort(expected.begin(), expected.end());
   EXPECT_EQ(arrays(parts->GetCellData()), expected);
@@ -56,8 +56,8 @@ TEST(MedialPartDecomposition, HasTheColumnsOfItsHeader)
 {
   std::vector<std::string> expected{ "Bounds double 6", "Centroid double 3", "Contacts idtype 1",
     "Dimension int 1", "Level int 1", "MinimumRadius double 1", "NeckRatio double 1",
-    "Neighbors idtype 1", "OnLoop unsigned char 1", "PartId idtype 1", "PrincipalLengths double 3",
-    "Volume double 1" };
+    "Neighbors idtype 1", "OnLoop unsigned char 1", "PartId idtype 1", "PartRank idtype 1",
+    "PrincipalLengths double 3", "Volume double 1" };
   for (int i = 0; vtkMedialPrune::GetMeasureName(i); ++i)
   {
     const bool isCount = std::string(vtkMedialPrune::GetMeasureUnit(i)) == "count";
@@ -93,6 +93,7 @@ TEST(MedialPartDecomposition, SaysTheSameInCellsAndTable)
     const double part = cell("PartId", i);
     ++cells[part];
     EXPECT_EQ(cell("PartLevel", i), column("Level", part));
+    EXPECT_EQ(cell("PartRank", i), column("PartRank", part));
     for (int measure = 0; vtkMedialPrune::GetMeasureName(measure); ++measure)
     {
       const char* name = vtkMedialPrune::GetMeasureName(measure);

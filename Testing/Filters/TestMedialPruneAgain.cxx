@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MedialPruneTest.h"
 
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkMultiBlockDataSet.h>
 
+#include <algorithm>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,6 +18,7 @@ using filterTest::boxPipeline;
 using filterTest::onlyError;
 using filterTest::same;
 using medialPruneTest::pruneBox;
+using medialPruneTest::removed;
 
 TEST(MedialPrune, RunsAloneWhenAThresholdChanges)
 {
@@ -61,6 +65,66 @@ TEST(MedialPrune, GivesTheSameWhateverItDidBefore)
   EXPECT_TRUE(prunesAfresh(filter, box));
   filter->SplitAtNecksOff();
   EXPECT_TRUE(prunesAfresh(filter, box));
+}
+
+/// The ranks of the cells of an axis.
+vtkDataArray* ranks(vtkPolyData* axis)
+{
+  return axis->GetCellData()->GetArray("PartRank");
+}
+
+double component(vtkPolyData* axis, const char* array, vtkIdType cell)
+{
+  return axis->GetCellData()->GetArray(array)->GetComponent(cell, 0);
+}
+
+TEST(MedialPrune, KeepsTheRanksOfParts)
+{
+  const auto before = filterTest::copy<vtkPolyData>(boxPipeline().parts->GetOutput());
+  for (vtkIdType cell = 0; cell < before->GetNumberOfCells(); ++cell)
+  {
+    ranks(before)->SetComponent(cell, 0, 100000 - component(before, "PartId", cell));
+  }
+  vtkNew<vtkMedialPrune> filter;
+  filter->SetInputData(before);
+  filter->Update();
+  vtkPolyData* after = filter->GetOutput();
+  std::map<double, double> lowest; // for each part the lowest rank that its cells had
+  for (vtkIdType cell = 0; cell < after->GetNumberOfCells(); ++cell)
+  {
+    const auto input = static_cast<vtkIdType>(component(after, "InputCell", cell));
+    const double rank = component(before, "PartRank", input);
+    const double part = component(after, "PartId", cell);
+    lowest[part] = std::min(rank, lowest.emplace(part, rank).first->second);
+  }
+  EXPECT_GT(lowest.size(), 1u);
+  for (vtkIdType cell = 0; cell < after->GetNumberOfCells(); ++cell)
+  {
+    EXPECT_EQ(component(after, "PartRank", cell), lowest[component(after, "PartId", cell)]);
+  }
+  for (vtkIdType cell = 0; cell < removed(filter)->GetNumberOfCells(); ++cell)
+  {
+    const auto input = static_cast<vtkIdType>(component(removed(filter), "InputCell", cell));
+    EXPECT_EQ(component(removed(filter), "PartRank", cell), component(before, "PartRank", input));
+  }
+}
+
+TEST(MedialPrune, FindsTheRanksThatItsInputDoesNotHave)
+{
+  vtkMedialPrune* filter = boxPipeline().prune;
+  vtkPolyData* after = filter->GetOutput();
+  vtkNew<vtkMedialPrune> alone;
+  alone->SetInputData(boxPipeline().axis->GetOutput());
+  alone->SetSchedule(filter->GetScheduleWords().c_str());
+  vtkNew<vtkMedialPartDecomposition> later;
+  later->SetInputConnection(alone->GetOutputPort());
+  later->Update();
+  vtkDataArray* found = ranks(later->GetOutput());
+  ASSERT_EQ(found->GetNumberOfTuples(), after->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < after->GetNumberOfCells(); ++cell)
+  {
+    EXPECT_EQ(found->GetComponent(cell, 0), ranks(after)->GetComponent(cell, 0));
+  }
 }
 
 TEST(MedialPrune, SeesThatItsInputHasChanged)

@@ -18,6 +18,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace
@@ -48,7 +49,8 @@ TEST(PowerCrust, HasTheArraysOfItsHeader)
   vtkPolyData* crust = boxPipeline().crust->GetOutput();
   EXPECT_EQ(arrays(crust->GetPointData()), (std::vector<std::string>{ "SampleId idtype 1" }));
   EXPECT_EQ(arrays(crust->GetCellData()),
-    (std::vector<std::string>{ "InnerBall idtype 1", "OuterBall idtype 1", "PartId idtype 1" }));
+    (std::vector<std::string>{
+      "InnerBall idtype 1", "OuterBall idtype 1", "PartId idtype 1", "PartRank idtype 1" }));
   std::vector<std::string> expected = filterTest::passedOn(boxPipeline().balls->GetOutput());
   for (const char* array : { "BettiCrust idtype 3", "Closed unsigned char 1",
          "InsertedBalls idtype 1", "Manifold unsigned char 1", "MaximumClearance double 1",
@@ -119,6 +121,25 @@ TEST(PowerCrust, KnowsThePartsOfItsFaces)
   EXPECT_GE(parts->GetRange()[0], 0);
   EXPECT_LT(parts->GetRange()[1], field(boxPipeline().prune->GetOutput(), "NumberOfParts"));
   EXPECT_GT(parts->GetRange()[1], 0);
+}
+
+TEST(PowerCrust, KnowsTheRanksOfItsParts)
+{
+  const auto ranksOfParts = [](vtkPolyData* data) {
+    std::map<double, double> result;
+    vtkCellData* cells = data->GetCellData();
+    for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+    {
+      result[cells->GetArray("PartId")->GetComponent(i, 0)] =
+        cells->GetArray("PartRank")->GetComponent(i, 0);
+    }
+    return result;
+  };
+  const std::map<double, double> axis = ranksOfParts(boxPipeline().prune->GetOutput());
+  for (const auto& [part, rank] : ranksOfParts(boxPipeline().crust->GetOutput()))
+  {
+    EXPECT_EQ(rank, axis.at(part));
+  }
 }
 
 TEST(PowerCrust, HasNoPartsWithoutAnAxisThatHasThem)

@@ -137,7 +137,7 @@ class Batch(unittest.TestCase):
         view.ViewSize = [400, 300]
         view.OrientationAxesVisibility = 0
         display = pv.Show(self.chain.prune, view)
-        self.assertEqual(list(display.ColorArrayName), ["CELLS", "PartId"])
+        self.assertEqual(list(display.ColorArrayName), ["CELLS", "PartRank"])
         view.CameraPosition = [8, 6, 7]
         view.CameraFocalPoint = [1.5, 1, 0.5]
         view.CameraViewUp = [0, 0, 1]

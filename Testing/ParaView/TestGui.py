@@ -15,7 +15,7 @@ def main():
     chain = Chain(source)
     view = pv.GetActiveViewOrCreate("RenderView")
     display = pv.Show(chain.prune, view)
-    check_equal(list(display.ColorArrayName), ["CELLS", "PartId"], "color of the parts")
+    check_equal(list(display.ColorArrayName), ["CELLS", "PartRank"], "color of the parts")
     pv.Show(chain.crust, view).Opacity = 0.3
     pv.ResetCamera(view)
     pv.SaveScreenshot(os.path.join(os.getcwd(), "window.png"), pv.GetLayout())
