@@ -4,6 +4,7 @@
 import os
 import sys
 import unittest
+from xml.etree import ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from session import (Chain, box, column, field, filters, load_plugin, pv, samples, servermanager,
@@ -160,6 +161,27 @@ class Batch(unittest.TestCase):
         difference.SetImageData(read_picture(os.path.join(BASELINES, name)))
         difference.Update()
         self.assertLess(difference.GetThresholdedError(), 10, "%s differs from its baseline" % path)
+
+    def test_has_every_filter_in_its_menu(self):
+        folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "ParaView", "Plugin")
+        described, menu = (ElementTree.parse(os.path.join(folder, name)) for name in
+                           ("MedialAxis.xml", "Menu.xml"))
+        shown = [proxy.get("name") for proxy in described.iterfind("ProxyGroup[@name='filters']/SourceProxy")]
+        self.assertIn("SimplifyShape", shown)
+        self.assertEqual(sorted(proxy.get("name") for proxy in menu.iter("Proxy")), sorted(shown))
+
+    def test_shows_no_spreadsheet_unasked(self):
+        balls = filters.BoundarySamples(Input=pv.Sphere())
+        for filter in (self.chain.parts, self.chain.prune, balls,
+                       filters.SimplifyShape(Input=self.chain.balls.Input)):
+            hints = filter.SMProxy.GetHints()
+            views = [hints.GetNestedElement(i).GetAttribute("type")
+                     for i in range(hints.GetNumberOfNestedElements())
+                     if hints.GetNestedElement(i).GetName() == "View"]
+            self.assertEqual(set(views), {"None"})
+        view = pv.CreateView("RenderView")
+        self.assertEqual(pv.Show(pv.OutputPort(balls, 2), view).Representation, "Balls")
+        pv.Delete(view)
 
     def test_follows_a_time_series(self):
         files = [write(box(spacing), "time%d.vtp" % i) for i, spacing in enumerate((0.3, 0.2))]
