@@ -42,7 +42,8 @@ void vtkSMMedialPartColors::PostInitializeProxy(
   {
     return;
   }
-  // Not as categories: ParaView refuses to make them of more than 32 values, with a dialog.
+  // Not as categories, which would give a legend: of more than 32 values in the data ParaView 5.11 refuses to
+  // make them, with a dialog at each Apply, even where all are described here.
   const std::vector<double> points = colorsOfParts();
   double gray[3];
   vtkMedialPartDecomposition::GetPartColor(-1, gray);

@@ -4,6 +4,7 @@
 #include "pqScalarValueListPropertyWidget.h"
 #include "vtkMedialPrune.h"
 
+#include <QBoxLayout>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QStyledItemDelegate>
@@ -16,6 +17,49 @@
 
 namespace
 {
+/// What a measure is, and its unit.
+QString tipOf(int measure)
+{
+  return QString("%1 (%2)").arg(
+    vtkMedialPrune::GetMeasureDescription(measure), vtkMedialPrune::GetMeasureUnit(measure));
+}
+
+/// The rows of a preset in the table: measure, threshold, passes one after another. A word, such as h0.5s,
+/// begins with the letter of its measure.
+QVariantList rowsOf(const QString& words)
+{
+  QVariantList result;
+  for (const QString& word : words.split(' '))
+  {
+    for (int i = 0; vtkMedialPrune::GetMeasureName(i); ++i)
+    {
+      const std::string pattern = vtkMedialPrune::GetMeasureWord(i);
+      if (word[0] == QChar(pattern[0]))
+      {
+        const bool isShare = pattern.back() == '%'; // in the table 0 ... 1
+        const QString threshold =
+          isShare ? QString::number(word.mid(1).chopped(1).toDouble() / 100) : word.mid(1);
+        result << vtkMedialPrune::GetMeasureName(i) << threshold << "0";
+      }
+    }
+  }
+  return result;
+}
+
+/// A drop-down of all presets, with what they remove as tips.
+QComboBox* presets(QWidget* parent)
+{
+  auto* result = new QComboBox(parent);
+  result->setObjectName("Preset");
+  result->addItem("Take the rows of a preset ...");
+  for (int i = 0; vtkMedialPrune::GetPresetName(i); ++i)
+  {
+    result->addItem(vtkMedialPrune::GetPresetName(i));
+    result->setItemData(i + 1, vtkMedialPrune::GetPresetDescription(i), Qt::ToolTipRole);
+  }
+  return result;
+}
+
 /// Edits a cell with a drop-down of all measures, open at once, and done with the choice.
 class MeasureDelegate : public QStyledItemDelegate
 {
@@ -29,6 +73,7 @@ public:
     for (int i = 0; vtkMedialPrune::GetMeasureName(i); ++i)
     {
       measures->addItem(vtkMedialPrune::GetMeasureName(i));
+      measures->setItemData(i, tipOf(i), Qt::ToolTipRole);
     }
     auto* self = const_cast<MeasureDelegate*>(this); // Qt's signals aren't const
     QObject::connect(measures, QOverload<int>::of(&QComboBox::activated), self, [self, measures] {
@@ -109,6 +154,18 @@ pqMedialSchedule::pqMedialSchedule(vtkSMProxy* proxy, vtkSMProperty* property, Q
   {
     name(list, &pqScalarValueListPropertyWidget::setLabels);
     list->setShowLabels(true);
+    if (auto* box = qobject_cast<QBoxLayout*>(this->layout()))
+    {
+      QComboBox* choice = presets(this);
+      box->insertWidget(0, choice);
+      this->connect(choice, QOverload<int>::of(&QComboBox::activated), list, [list](int item) {
+        if (item > 0)
+        {
+          list->setScalars(rowsOf(vtkMedialPrune::GetPresetWords(item - 1)));
+          Q_EMIT list->scalarsChanged();
+        }
+      });
+    }
   }
   if (auto* table = this->findChild<QTableView*>())
   {

@@ -52,6 +52,14 @@ def only_numbers_are_taken():
     check_equal(column(history(), "Threshold")[2:3], [0.05], "Threshold")
 
 
+def preset_is_taken(thresholds):
+    """Of the iterations after the first two, which remove slivers."""
+    rows = list(pv.FindSource("MedialPrune2").Schedule)
+    check_equal(rows[:6], ["TriangleCount", "5", "0"] * 2, "the first two iterations")
+    check_equal(rows[6:], thresholds, "the other iterations")
+    check_equal(len(column(history(), "ByHand")), 3 + len(thresholds) // 3, "rows of the history")
+
+
 def crust_has_its_axis():
     crust = pv.FindSource("PowerCrust1")
     check_equal(crust.Axis.SMProxy, pv.FindSource("MedialPrune2").SMProxy, "Axis")
@@ -63,5 +71,7 @@ def crust_has_its_axis():
 
 
 steps = [pruned_axis, nothing_is_removed, picked_part_is_removed, picked_part_is_protected,
-         measures_are_chosen, only_numbers_are_taken, crust_has_its_axis]
+         measures_are_chosen, only_numbers_are_taken,
+         lambda: preset_is_taken(["HausdorffDistance", "0.5s", "0", "HausdorffDistance", "1%", "0"]),
+         lambda: preset_is_taken(["RelativeVolume", "0.01", "0"]), crust_has_its_axis]
 session.take_step(steps)
