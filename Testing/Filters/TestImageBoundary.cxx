@@ -341,6 +341,13 @@ TEST(ImageBoundary, RefusesWhatIsNoSolid)
   const auto specks = filterOf(
     image(12, [](double x, double y, double z) { return std::hypot(x, y, z) < 0.2 ? 1 : 0; }));
   expectError(specks, "the largest has 8");
+  // A row of voxels, which the Gaussian leaves nothing of.
+  const auto row = filterOf(image(
+    61, [](double x, double y, double z) { return std::hypot(x, y) < 0.01 && std::abs(z) < 0.9; }));
+  expectError(row, "thinner than its smoothing");
+  row->SetGaussianRadius(0);
+  row->Update();
+  EXPECT_EQ(betti(row->GetOutput(), "BettiBoundary"), (Betti{ 1, 0, 0 }));
   const auto nan = std::numeric_limits<double>::quiet_NaN();
   expectError(
     filterOf(image(12, [&](double x, double y, double z) { return ball(x, y, z) > 0 ? nan : 0; })),

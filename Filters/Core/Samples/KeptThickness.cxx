@@ -28,6 +28,10 @@ std::vector<Point> withThicknessKept(const std::vector<Point>& before,
   const std::vector<Point>& smoothed, const std::vector<Triangle>& triangles, double most,
   const Execution& execution)
 {
+  if (triangles.empty())
+  {
+    return smoothed; // nothing is near to anything
+  }
   const TriangleSet surface = triangleSet(before, triangles);
   const SurfaceTree tree(before, triangles);
   const std::vector<double> ofTriangle =
