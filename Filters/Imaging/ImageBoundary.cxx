@@ -46,6 +46,7 @@ ImageBoundary imageBoundary(
     if (result.betti != result.segmentation)
     {
       differsAt = topologyDifference(result.mask, result.surface.mask, execution);
+      differsAt = differsAt ? differsAt : bareContact(result.mask, execution);
     }
     result.warnings = imageWarnings(result.segmentation, result.betti,
       options.pad ? result.cut : std::array<Index, 6>{}, cutAt, differsAt);

@@ -141,6 +141,37 @@ Index inLargestGroup(const VoxelMask& shape, const std::vector<Index>& voxels)
   }
   return best.second;
 }
+
+/// Is a voxel of a block in the box that the centre and a corner of it span?
+bool isBetween(int at, int corner)
+{
+  for (int axis = 0; axis < 3; ++axis, at /= 3, corner /= 3)
+  {
+    if (at % 3 != 1 && at % 3 != corner % 3)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Does the voxel at the centre touch another one by an edge or a corner, with no voxel of the solid between?
+bool touchesBarely(const Block& inside)
+{
+  for (int corner = 0; corner < 27; ++corner)
+  {
+    bool alone = inside[corner] && stepsBetween(corner, Centre).sum > 1;
+    for (int at = 0; alone && at < 27; ++at)
+    {
+      alone = at == corner || at == Centre || !inside[at] || !isBetween(at, corner);
+    }
+    if (alone)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
 std::optional<Point> topologyDifference(
@@ -178,5 +209,19 @@ std::optional<Point> topologyDifference(
   }
   const auto [i, j, k] = voxelAt(from, inLargestGroup(from, different));
   return Point(i, j, k);
+}
+
+std::optional<Point> bareContact(const VoxelMask& mask, const Execution& execution)
+{
+  for (Index number = 0; number < count(mask.inside); ++number)
+  {
+    execution.pollAt(number);
+    const std::array<Index, 3> voxel = voxelAt(mask, number);
+    if (mask.inside[number] != 0 && touchesBarely(blockAt(mask, voxel)))
+    {
+      return Point(voxel[0], voxel[1], voxel[2]);
+    }
+  }
+  return std::nullopt;
 }
 }

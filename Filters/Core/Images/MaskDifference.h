@@ -19,6 +19,11 @@ namespace medial
 /// @throw Aborted
 std::optional<Point> topologyDifference(
   VoxelMask from, const VoxelMask& to, const Execution& execution = {});
+
+/// A voxel of the solid that touches another one by an edge or a corner only, as i, j and k; none if there is no such voxel.
+/// The two are connected, but not in a contour.
+/// @throw Aborted
+std::optional<Point> bareContact(const VoxelMask& mask, const Execution& execution = {});
 }
 
 #endif

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+using medial::Index;
 using medial::maskBetti;
 using medial::Point;
 using medial::topologyDifference;
@@ -69,6 +70,28 @@ TEST(MaskDifference, IsFoundWhereverBettiNumbersDiffer)
     b.inside[seed * 7 % 120] ^= 1;
     const auto place = topologyDifference(a, b);
     EXPECT_TRUE(place || maskBetti(a) == maskBetti(b)) << "seed " << seed;
+  }
+}
+
+/// Two boxes of voxels that touch by an edge, or by a corner. A contour separates them.
+TEST(MaskDifference, KnowsBareContacts)
+{
+  for (const bool byCorner : { false, true })
+  {
+    VoxelMask mask{ { 6, 6, 6 }, std::vector<unsigned char>(216, 0) };
+    const auto fill = [&mask](Index i, Index j, Index k) { mask.inside[mask.row(j, k) + i] = 1; };
+    for (Index k = 1; k < 3; ++k)
+    {
+      fill(1, 1, k);
+      fill(2, 1, k);
+    }
+    EXPECT_FALSE(medial::bareContact(mask));
+    fill(3, 2, byCorner ? 3 : 2);
+    EXPECT_EQ(medial::bareContact(mask).value(), Point(2, 1, 2));
+    fill(2, 2, byCorner ? 3 : 2); // joins them by faces, unless there is a step left
+    EXPECT_EQ(medial::bareContact(mask).has_value(), byCorner);
+    fill(2, 1, 3);
+    EXPECT_FALSE(medial::bareContact(mask));
   }
 }
 
