@@ -91,11 +91,9 @@ std::vector<Index> pieceOfTriangle(const std::vector<Triangle>& triangles, Index
     pieces.unite(t[0], t[1]);
     pieces.unite(t[0], t[2]);
   }
-  std::vector<Index> result;
-  for (const Triangle& t : triangles)
-  {
-    result.push_back(pieces.find(t[0]));
-  }
+  std::vector<Index> result(triangles.size());
+  std::transform(triangles.begin(), triangles.end(), result.begin(),
+    [&pieces](const Triangle& t) { return pieces.find(t[0]); });
   return result;
 }
 
