@@ -137,8 +137,8 @@ ProvenSamples provenSamples(const ClosedSurface& surface, const SurfaceTree& tre
     const std::vector<Detail> details =
       places.empty() ? sampler.hiddenDetails(result.samples) : std::vector<Detail>();
     // Where there is no room for more samples, those of the next round would hardly differ.
-    if (result.rounds == rounds || (places.empty() && sampler.follow(details) == 0) ||
-      isLimited(result.samples))
+    if (result.rounds == rounds || isLimited(result.samples) ||
+      (places.empty() && sampler.follow(details) == 0))
     {
       result.warnings.push_back(
         notEnough(result.balls.powerShape, surface.measures.betti, places, details));

@@ -145,6 +145,13 @@ TriangleSet triangleSet(const std::vector<Point>& points, const std::vector<Tria
   return result;
 }
 
+SurfacePoint middleOf(const TriangleSet& surface, Index triangle)
+{
+  const auto& [a, b, c] = surface.triangles[triangle];
+  return { (surface.points[a] + surface.points[b] + surface.points[c]) / 3,
+    surface.normals[triangle], triangle };
+}
+
 std::vector<SurfacePiece> surfacePieces(
   const TriangleSet& surface, const SpacingField& spacing, const Execution& execution)
 {

@@ -22,6 +22,9 @@ struct TriangleSet
 
 TriangleSet triangleSet(const std::vector<Point>& points, const std::vector<Triangle>& triangles);
 
+/// The middle of a triangle.
+SurfacePoint middleOf(const TriangleSet& surface, Index triangle);
+
 /// How many samples there are in a square as wide as their spacing; measured.
 constexpr double samplesPerSquare = 0.7;
 

@@ -310,7 +310,10 @@ Index BoundarySampler::follow(const std::vector<Detail>& details, const Executio
     constexpr double much = 0.9;
     closer += known.probes.spacings[i] < much * known.field.at(known.probes.places[i]);
   }
-  known.updateField(execution);
+  if (closer > 0)
+  {
+    known.updateField(execution);
+  }
   return closer;
 }
 

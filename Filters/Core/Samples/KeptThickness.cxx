@@ -14,11 +14,10 @@ namespace
 std::vector<SurfacePoint> middles(const TriangleSet& surface)
 {
   std::vector<SurfacePoint> result;
+  result.reserve(surface.triangles.size());
   for (Index t = 0; t < count(surface.triangles); ++t)
   {
-    const auto& [a, b, c] = surface.triangles[t];
-    result.push_back(
-      { (surface.points[a] + surface.points[b] + surface.points[c]) / 3, surface.normals[t], t });
+    result.push_back(middleOf(surface, t));
   }
   return result;
 }

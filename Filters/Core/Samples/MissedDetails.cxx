@@ -13,14 +13,6 @@ namespace
 {
 constexpr double few = 20; // samples of a whole piece
 
-Detail detailAt(const TriangleSet& surface, Index triangle, double area)
-{
-  const Triangle& corners = surface.triangles[triangle];
-  const Point sum =
-    surface.points[corners[0]] + surface.points[corners[1]] + surface.points[corners[2]];
-  return { { sum / 3, surface.normals[triangle], triangle }, area };
-}
-
 /// Triangles of the pieces that are chosen, by the number of the piece.
 /// @param isChosen  by the lowest point and the area of a piece
 template <typename Predicate>
@@ -51,7 +43,7 @@ std::vector<Detail> chosenPieces(
       const Index step = (triangles.size() + most - 1) / most;
       for (Index i = 0; i < triangles.size(); i += step)
       {
-        result.push_back(detailAt(surface, triangles[i], area));
+        result.push_back({ middleOf(surface, triangles[i]), area });
       }
     }
   }
@@ -76,7 +68,7 @@ std::vector<Detail> chosenTriangles(
   {
     if (chosen[t])
     {
-      result.push_back(detailAt(surface, t, area));
+      result.push_back({ middleOf(surface, t), area });
     }
   }
   return result;
@@ -143,7 +135,7 @@ std::vector<Detail> hiddenSides(
   return chosenTriangles(
     surface,
     [&](Index t) {
-      const Index nearest = neighbors.nearestOne(detailAt(surface, t, 0).place.position);
+      const Index nearest = neighbors.nearestOne(middleOf(surface, t).position);
       return surface.normals[t].dot(samples[nearest].normal) < away;
     },
     execution);
